@@ -1,0 +1,194 @@
+#include "mortise/cases/input/case_checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <string_view>
+
+#include "mortise/grids/core/registry.hpp"
+
+namespace mortise {
+namespace {
+
+void check_grid(const Node& root, const CaseDescription& c) {
+  for (std::size_t d = 0; d < static_cast<std::size_t>(c.dimension); ++d) {
+    const double length = c.domain_high[d] - c.domain_low[d];
+    const std::string along = d == 0 ? "x" : "y";
+    if (length <= 0)
+      reject(root, "grid.high",
+             "grid.high must be greater than grid.low along " + along + ", not " + shortest(c.domain_high[d]) +
+                 " against " + shortest(c.domain_low[d]));
+    if (length < 4 * c.spacing())
+      reject(root, "grid.factor",
+             "grid.factor = " + shortest(c.grid_factor) + " gives fewer than 4 cells along " + along +
+                 ": it must be at least " + shortest(0.4 / length));
+    if (c.tile[d] % 2 != 0)
+      reject(root, "grid.tile", "grid.tile must be even, not " + std::to_string(c.tile[d]) + " along " + along);
+  }
+}
+
+void check_boundaries(const Node& root, const CaseDescription& c) {
+  for (const char* side : {"bottom", "top"})
+    if (c.dimension == 1 && root.find(std::string("boundaries.") + side))
+      reject(root, std::string("boundaries.") + side, std::string("boundaries.") + side + " is not there in 1D");
+  if ((c.left == "periodic") != (c.right == "periodic"))
+    reject(root, "boundaries.left",
+           "boundaries.left and boundaries.right must be periodic both or neither, not \"" + c.left + "\" and \"" +
+               c.right + "\"");
+  if ((c.bottom == "periodic") != (c.top == "periodic"))
+    reject(root, "boundaries.bottom",
+           "boundaries.bottom and boundaries.top must be periodic both or neither, not \"" + c.bottom + "\" and \"" +
+               c.top + "\"");
+  if (c.has_inflow && c.inflow[0] == 0)
+    reject(root, "boundaries", "the key \"boundaries.inflow\" is missing: the state of the gas at inflow sides");
+  for (const auto& [side, kind] : {std::pair{"left", c.left}, {"right", c.right}, {"bottom", c.bottom}, {"top", c.top}})
+    if (kind == "exact" && c.exact.empty())
+      reject(root, std::string("boundaries.") + side,
+             std::string("boundaries.") + side + " = \"exact\" needs an exact solution: the key \"exact\" is missing");
+}
+
+void check_regions(const Node& root, const CaseDescription& c) {
+  const auto& regions = c.initial.regions;
+  for (std::size_t k = 0; k < regions.size(); ++k) {
+    const std::string path = "initial.regions." + std::to_string(k);
+    const bool last = k + 1 == regions.size();
+    if (last && !regions[k].where.empty())
+      reject(root, path + ".where", path + ".where is not allowed: the last region is everywhere else");
+    if (!last && regions[k].where.empty())
+      reject(root, path, "the key \"" + path + ".where\" is missing: only the last region is everywhere else");
+    for (const auto& [key, formula] : {std::pair{"density", regions[k].density}, {"pressure", regions[k].pressure}}) {
+      const Node* given = root.find(path + "." + key);
+      const double low = key == std::string_view("density") ? 0 : 0 - c.p_inf;
+      if (given && given->is_number() && given->number <= low)
+        reject(root, path + "." + key,
+               path + "." + key + " = " + formula + " is not allowed: it must be > " + shortest(low));
+    }
+  }
+  if (c.initial.kind == "regions" && regions.empty())
+    reject(root, "initial.regions", "initial.regions must not be empty");
+}
+
+void check_initial(const Node& root, const CaseDescription& c) {
+  if (c.dimension == 1 && root.find("initial.angle")) reject(root, "initial.angle", "initial.angle is not there in 1D");
+  if (c.dimension == 1 && c.initial.kind == "vortex")
+    reject(root, "initial.kind", "initial.kind = \"vortex\" is not there in 1D");
+  check_regions(root, c);
+  const double b = c.initial.strength;
+  const double coldest =
+      1 - (c.gamma - 1) * b * b * std::numbers::e / (8 * c.gamma * std::numbers::pi * std::numbers::pi);
+  if (c.initial.kind == "vortex" && coldest <= 0)
+    reject(root, "initial.strength",
+           "initial.strength = " + shortest(b) + " is too strong: the temperature in the vortex would be " +
+               shortest(coldest));
+}
+
+void check_exact(const Node& root, const CaseDescription& c) {
+  struct Need {
+    const char* key;
+    std::vector<std::string> kinds;  // initial kinds; empty: any
+    int dimension;                   // 0: any
+    bool one_body;
+  };
+  const Need needs[] = {{"riemann", {"riemann", "shock"}, 0, false},
+                        {"vortex", {"vortex"}, 2, false},
+                        {"uniform", {"uniform"}, 0, false},
+                        {"rigid_piston", {}, 1, true},
+                        {"shock_on_massless_body", {"shock"}, 1, true},
+                        {"weak_shock_on_free_cylinder", {"shock"}, 2, true}};
+  for (const Need& need : needs) {
+    if (c.exact != need.key) continue;
+    const std::string exact = "exact = \"" + c.exact + "\" needs ";
+    if (!need.kinds.empty() && std::find(need.kinds.begin(), need.kinds.end(), c.initial.kind) == need.kinds.end())
+      reject(root, "exact", exact + "initial.kind = " + need.kinds.front() + ", not " + c.initial.kind);
+    if (need.dimension != 0 && need.dimension != c.dimension)
+      reject(root, "exact", exact + "dimension = " + std::to_string(need.dimension));
+    if (need.one_body && c.bodies.size() != 1)
+      reject(root, "exact", exact + "one body, not " + std::to_string(c.bodies.size()));
+  }
+}
+
+bool inside(const std::array<double, 2>& x, const CaseDescription& c) {
+  for (std::size_t d = 0; d < static_cast<std::size_t>(c.dimension); ++d)
+    if (x[d] < c.domain_low[d] || x[d] > c.domain_high[d]) return false;
+  return true;
+}
+
+/// Names become columns, blocks and files.
+void check_names(const Node& root, const std::string& array, const std::vector<std::string>& names) {
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const std::string path = array + "." + std::to_string(k) + ".name";
+    const bool plain = std::all_of(names[k].begin(), names[k].end(), [](char c) {
+      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+    });
+    if (!plain || names[k].empty())
+      reject(root, path, path + " = \"" + names[k] + "\" is not allowed: use letters, digits, _ and -");
+    if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(k), names[k]) !=
+        names.begin() + static_cast<std::ptrdiff_t>(k))
+      reject(root, path, path + " = \"" + names[k] + "\" is the name of another one, too");
+  }
+}
+
+void check_places(const Node& root, const CaseDescription& c) {
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < c.bodies.size(); ++k) {
+    names.push_back(c.bodies[k].name);
+    const std::string path = "bodies." + std::to_string(k) + ".position";
+    if (!inside(c.bodies[k].position, c)) reject(root, path, path + " is outside the domain");
+  }
+  check_names(root, "bodies", names);
+  names.clear();
+  for (std::size_t k = 0; k < c.probes.size(); ++k) {
+    names.push_back(c.probes[k].name);
+    const std::string path = "probes." + std::to_string(k) + ".position";
+    if (!inside(c.probes[k].position, c)) reject(root, path, path + " is outside the domain");
+  }
+  check_names(root, "probes", names);
+}
+
+}  // namespace
+
+std::array<double, 4> gas_behind_shock(const std::array<double, 4>& ahead, double mach, const std::array<double, 2>& n,
+                                       double gamma, double p_inf) {
+  const double shifted = ahead[3] + p_inf, m2 = mach * mach;
+  const double jump = std::sqrt(gamma * shifted / ahead[0]) * 2 * (m2 - 1) / ((gamma + 1) * mach);  // of n·u
+  return {ahead[0] * (gamma + 1) * m2 / ((gamma - 1) * m2 + 2), ahead[1] + jump * n[0], ahead[2] + jump * n[1],
+          shifted * (1 + 2 * gamma / (gamma + 1) * (m2 - 1)) - p_inf};
+}
+
+void complete_case(const Node& root, CaseDescription& c) {
+  if (c.title.empty()) c.title = c.name;
+  if (c.output.empty()) c.output = "output/" + c.name;
+  if (c.bodies.empty() && !root.find("scheme")) c.scheme = "none";
+  InitialDescription& i = c.initial;
+  if (i.kind == "uniform") i.left = i.right = i.state;
+  if (i.kind == "shock" && i.mach > 0) {
+    const double radians = i.angle * std::numbers::pi / 180;
+    i.left = gas_behind_shock(i.right, i.mach, {std::cos(radians), std::sin(radians)}, c.gamma, c.p_inf);
+  }
+  c.has_inflow = c.left == "inflow" || c.right == "inflow" || c.bottom == "inflow" || c.top == "inflow";
+  if (!root.find("boundaries.inflow") && (i.kind == "uniform" || i.kind == "shock")) c.inflow = i.left;
+  for (std::size_t k = 0; k < c.bodies.size(); ++k) {
+    BodyDescription& b = c.bodies[k];
+    if (b.name.empty()) b.name = b.shape + "_" + std::to_string(k);
+    if (!b.points.empty()) b.points = (std::filesystem::path(c.folder) / b.points).string();
+  }
+  for (std::size_t k = 0; k < c.probes.size(); ++k)
+    if (c.probes[k].name.empty()) c.probes[k].name = "probe_" + std::to_string(k);
+}
+
+void check_case(const Node& root, const CaseDescription& c) {
+  check_grid(root, c);
+  check_boundaries(root, c);
+  check_initial(root, c);
+  check_exact(root, c);
+  for (std::size_t k = 0; k < c.bodies.size(); ++k) check_body(root, c, k);
+  check_places(root, c);
+  if (c.scheme == "none" && !c.bodies.empty())
+    reject(root, "scheme", "scheme = \"none\" cannot move bodies: use rigid or traditional");
+  if (c.scheme != "none" && c.bodies.empty())
+    reject(root, "scheme",
+           "scheme = \"" + c.scheme + "\" needs bodies and the case has none: use none, or omit the scheme");
+}
+
+}  // namespace mortise

@@ -1,0 +1,108 @@
+// Everything a case file can say, as plain data: read, checked and with defaults filled in.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mortise {
+
+/// One rigid body. Lengths non-dimensional, angles in degrees in case files (radians in all output).
+struct BodyDescription {
+  std::string name;                   // default: <shape>_<index>, e.g. "stick_0"
+  std::string shape;                  // circle, ellipse, stick, rectangle, polygon, spline (2D); slab, half_space (1D)
+  double radius = 0;                  // circle
+  std::array<double, 2> semi_axes{};  // ellipse: along x and y at angle 0
+  std::array<double, 2> size{};       // stick, rectangle: width (x) and height (y) at angle 0
+  double fillet = 0;                  // stick, rectangle, polygon: corner radius
+  std::vector<std::array<double, 2>> corners;  // polygon, about the body's own origin
+  std::string points;                   // spline: file of points; found beside the case file, here with its folder
+  double width = 0;                     // slab
+  std::string side;                     // half_space: "left" or "right": where the solid is
+  std::array<double, 2> position{};     // of the centre of mass at t = 0; half_space: of its surface
+  double angle = 0;                     // degrees
+  std::array<double, 2> velocity{};     // at t = 0
+  double angular_velocity = 0;          // radians per time, at t = 0
+  std::optional<double> density;        // either density …
+  std::optional<double> mass, inertia;  // … or mass (per unit depth; 1D: per unit area) and inertia; zero is allowed
+  std::vector<std::string> fixed;       // degrees of freedom held: "x", "y", "angle"
+  // Prescribed displacement from the position (motion_angle: from the angle, in degrees) at t = 0; expressions of t
+  // that vanish at t = 0; empty: not prescribed.
+  std::string motion_x, motion_y, motion_angle;
+  std::string force_x, force_y, torque;  // prescribed external force, expressions of t; empty: none
+  std::string surface = "wall";          // wall: slip wall; exact: exact data on the inner edge, flow passes through
+  int layers = 0;                        // cell layers of the body-fitted grid; 0: default
+};
+
+/// One piece of a piecewise initial state: the first region that contains the point counts.
+struct RegionDescription {
+  std::string where;                                      // expression of x, y (non-zero: inside); empty: everywhere
+  std::string density, velocity_x, velocity_y, pressure;  // expressions of x, y
+};
+
+struct InitialDescription {
+  std::string kind;  // uniform, shock, riemann, vortex, regions
+  // (ρ, u, v, p). uniform: state (left and right are equal to it); riemann: left and right of the diaphragm; shock: it
+  // runs along n from left (the gas behind it, computed from mach by Rankine-Hugoniot unless given) into right (the gas
+  // ahead).
+  std::array<double, 4> state{}, left{}, right{};
+  double mach = 0;      // shock: speed of the front relative to the gas ahead / speed of sound; 0: behind was given
+  double position = 0;  // shock or diaphragm: the line n·x = position; left is n·x < position
+  double angle = 0;     // degrees from +x: direction of n (1D: 0)
+  double strength = 2;  // vortex: β
+  double vortex_radius = 0.15;
+  std::array<double, 2> vortex_center{}, vortex_velocity{};
+  std::vector<RegionDescription> regions;
+};
+
+struct ProbeDescription {
+  std::string name;
+  std::array<double, 2> position{};
+};
+
+struct CaseDescription {
+  std::string path, folder, name, text;  // file read, its folder, case name, the text with overrides appended
+  std::string title, reference;
+  std::string scheme = "rigid";  // rigid, traditional; none without bodies
+  int dimension = 2;             // 1 or 2; in 1D only entry 0 of vectors and (ρ, u, 0, p) of states count
+
+  std::array<double, 2> domain_low{}, domain_high{};
+  double grid_factor = 0;  // h = 1/(10 factor)
+  double spacing() const { return 0.1 / grid_factor; }
+  std::array<int, 2> tile{};  // cells of a background tile; 0: chosen
+
+  double time_end = 0;
+  double cfl = 0.9;
+  double time_step = 0;  // fixed Δt; 0: from cfl
+
+  double gamma = 1.4, p_inf = 0;
+  std::string limiter = "mc", riemann = "hllc";
+  double van_albada_k = 10;
+
+  std::string left = "outflow", right = "outflow", bottom = "outflow",
+              top = "outflow";     // inflow, outflow, wall, periodic, exact
+  std::array<double, 4> inflow{};  // (ρ, u, v, p) of inflow sides; default: state (uniform) or the gas behind the shock
+  bool has_inflow = false;         // a side is inflow
+
+  InitialDescription initial;
+  std::string exact;  // key of the exact solution; empty: none
+
+  std::vector<BodyDescription> bodies;
+  std::array<double, 2> gravity{};
+  double restitution = 1;  // of contacts: 1 elastic, 0 plastic
+  bool contact = true;
+  double contact_gap = 0;  // bodies closer than this many cells are in contact; 0: what the overlap resolves
+
+  int frames = 0;  // PNG frames (and HDF5 steps) evenly spaced over the run, plus t = 0
+  std::vector<std::string> pictures = {"schlieren"};  // schlieren, pressure, velocity, mach, grids
+  int picture_width = 1200;                           // pixels
+  bool hdf5 = true;
+  double checkpoint_interval = 0;  // time between checkpoints; 0: none
+  std::string output;              // directory; default: output/<name>
+
+  std::vector<ProbeDescription> probes;
+  bool skip = true;
+};
+
+}  // namespace mortise

@@ -1,0 +1,111 @@
+#include "mortise/cases/scene/bodies.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "mortise/cases/input/expression.hpp"
+#include "mortise/grids/core/error.hpp"
+
+namespace mortise {
+namespace {
+
+constexpr int default_layers = 10;
+constexpr double radians = std::numbers::pi / 180;
+
+using OutlineMaker = Outline (*)(const BodyDescription&);
+
+const Registry<OutlineMaker>& outlines() {
+  static const Registry<OutlineMaker> registry(
+      "shape",
+      {{"circle", [](const BodyDescription& b) { return Outline::circle(b.radius); }},
+       {"ellipse", [](const BodyDescription& b) { return Outline::ellipse(b.semi_axes[0], b.semi_axes[1]); }},
+       {"stick", [](const BodyDescription& b) { return Outline::rounded_rectangle(b.size[0], b.size[1], b.fillet); }},
+       {"rectangle", [](const BodyDescription& b) { return Outline::rounded_rectangle(b.size[0], b.size[1], b.fillet); }},
+       {"polygon",
+        [](const BodyDescription& b) {
+          std::vector<Point<2>> corners;
+          for (const auto& corner : b.corners) corners.emplace_back(corner[0], corner[1]);
+          return Outline::rounded_polygon(corners, b.fillet);
+        }},
+       {"spline", [](const BodyDescription& b) { return Outline::spline_from_file(b.points); }}});
+  return registry;
+}
+
+TimeFunction function_of_time(const std::string& formula, double scale = 1) {
+  if (formula.empty()) return {};
+  const auto expression = std::make_shared<Expression>(formula, std::vector<std::string>{"t"});
+  return [expression, scale](double t) { return scale * (*expression)(t); };
+}
+
+/// Shape, grid and inertia at density 1 (mass: area or width).
+struct Built {
+  double mass, inertia, length;
+};
+
+Built build_shape(const BodyDescription& description, double spacing, int layers, FittedBody<2>& fitted, BodySetup<2>& body) {
+  const auto outline = std::make_shared<Outline>(outlines().at(description.shape)(description).centered());
+  fitted.shape.atlas = std::make_shared<BodyAtlas>(*outline, grow(*outline, {spacing, layers}));
+  body.outline = outline;
+  return {outline->area(), outline->second_moment(), outline->mean_radius()};
+}
+
+Built build_shape(const BodyDescription& description, double spacing, int layers, FittedBody<1>& fitted, BodySetup<1>&) {
+  double left = -LineAtlas::infinity, right = LineAtlas::infinity;
+  if (description.shape == "slab") {
+    left = -0.5 * description.width;
+    right = 0.5 * description.width;
+  } else {
+    (description.side == "left" ? right : left) = 0;
+  }
+  fitted.shape.atlas = std::make_shared<LineAtlas>(left, right, spacing, layers);
+  return {description.width, 0, 1};
+}
+
+}  // namespace
+
+template <int Dim>
+void add_body(const CaseDescription& description, std::size_t index, double spacing, SimulationSetup<Dim>& setup) {
+  const BodyDescription& from = description.bodies[index];
+  FittedBody<Dim> fitted;
+  BodySetup<Dim> body;
+  fitted.name = from.name;
+  fitted.wall = from.surface == "wall";
+  fitted.shape.spacing = spacing;
+  fitted.shape.layers = from.layers > 0 ? from.layers + from.layers % 2 : default_layers;
+  Built built;
+  try {
+    built = build_shape(from, spacing, fitted.shape.layers, fitted, body);
+  } catch (const InputError& error) {
+    throw InputError(description.path + ": bodies." + std::to_string(index) + " (" + from.name + "): " + error.what());
+  }
+  RigidBody<Dim>& rigid = body.body;
+  rigid.name = from.name;
+  rigid.mass = from.density ? *from.density * built.mass : from.mass.value_or(0);
+  rigid.inertia = from.density ? *from.density * built.inertia : from.inertia.value_or(0);
+  rigid.length = built.length;
+  const std::string* motion[] = {&from.motion_x, &from.motion_y, &from.motion_angle};
+  const std::string* force[] = {&from.force_x, &from.force_y, &from.torque};
+  static constexpr const char* names[] = {"x", "y", "angle"};
+  for (int k = 0; k < degrees_of_freedom<Dim>; ++k) {
+    const auto degree = static_cast<std::size_t>(k);
+    const int entry = k < Dim ? k : 2;
+    if (k < Dim) {
+      rigid.pose.position[k] = from.position[degree];
+      rigid.y[k] = from.velocity[degree];
+    } else {
+      rigid.pose.angle = from.angle * radians;
+      rigid.y[k] = from.angular_velocity;
+    }
+    body.motion[degree] = function_of_time(*motion[entry], k < Dim ? 1 : radians);
+    body.force[degree] = function_of_time(*force[entry]);
+    rigid.held[degree] = body.motion[degree] || std::find(from.fixed.begin(), from.fixed.end(), names[entry]) != from.fixed.end();
+    if (rigid.held[degree]) rigid.y[k] = body.motion[degree] ? (body.motion[degree](1e-6) - body.motion[degree](0)) / 1e-6 : 0.0;
+  }
+  setup.fluid.bodies.push_back(std::move(fitted));
+  setup.bodies.push_back(std::move(body));
+}
+
+template void add_body<1>(const CaseDescription&, std::size_t, double, SimulationSetup<1>&);
+template void add_body<2>(const CaseDescription&, std::size_t, double, SimulationSetup<2>&);
+
+}  // namespace mortise

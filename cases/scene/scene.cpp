@@ -1,0 +1,143 @@
+#include "mortise/cases/scene/scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mortise/cases/exact/initial_state.hpp"
+#include "mortise/cases/scene/bodies.hpp"
+#include "mortise/grids/core/error.hpp"
+
+namespace mortise {
+namespace {
+
+const Registry<BoundaryKind>& boundary_kinds() {
+  static const Registry<BoundaryKind> kinds("boundary", {{"periodic", BoundaryKind::periodic},
+                                                         {"inflow", BoundaryKind::inflow},
+                                                         {"outflow", BoundaryKind::outflow},
+                                                         {"wall", BoundaryKind::wall},
+                                                         {"exact", BoundaryKind::exact}});
+  return kinds;
+}
+
+const Registry<Limiter>& limiters() {
+  static const Registry<Limiter> all(
+      "limiter", {{"none", Limiter::none}, {"minmod", Limiter::minmod}, {"mc", Limiter::mc}, {"van_albada", Limiter::van_albada}});
+  return all;
+}
+
+const Registry<RiemannSolver>& riemann_solvers() {
+  static const Registry<RiemannSolver> all(
+      "Riemann solver", {{"hllc", RiemannSolver::hllc}, {"exact", RiemannSolver::exact}, {"hlle", RiemannSolver::hlle}});
+  return all;
+}
+
+/// ε² = K h³ q_ref² for (ρ, u, v, p̃): the references are the largest density, speed u + c and pressure at t = 0.
+template <int Dim>
+std::array<double, 4> van_albada_floor(const SimulationSetup<Dim>& setup, double k, double h) {
+  double density = 0, speed = 0, pressure = 0;
+  Index<Dim> low{}, high;
+  high.fill(64);
+  for_each_index<Dim>(low, high, [&](const Index<Dim>& c) {
+    Point<Dim> x;
+    for (int d = 0; d < Dim; ++d) {
+      const double s = (c[static_cast<std::size_t>(d)] + 0.5) / 64;
+      x[d] = setup.fluid.domain.low[d] + s * (setup.fluid.domain.high[d] - setup.fluid.domain.low[d]);
+    }
+    const Primitive<Dim> W = setup.initial(x, 0);
+    double u2 = 0;
+    for (const double u : W.velocity) u2 += u * u;
+    density = std::max(density, W.density);
+    speed = std::max(speed, std::sqrt(u2) + std::sqrt(setup.fluid.gas.gamma * W.pressure / W.density));
+    pressure = std::max(pressure, W.pressure);
+  });
+  const double floor = k * h * h * h;
+  return {floor * density * density, floor * speed * speed, floor * speed * speed, floor * pressure * pressure};
+}
+
+template <int Dim>
+void set_boundaries(const CaseDescription& description, const Scene<Dim>& scene, Boundaries<Dim>& boundaries) {
+  const std::string* sides[] = {&description.left, &description.right, &description.bottom, &description.top};
+  for (std::size_t side = 0; side < 2 * Dim; ++side) boundaries.kind[side] = boundary_kinds().at(*sides[side]);
+  boundaries.inflow.density = description.inflow[0];
+  for (std::size_t d = 0; d < Dim; ++d) boundaries.inflow.velocity[d] = description.inflow[1 + d];
+  boundaries.inflow.pressure = description.inflow[3] + description.p_inf;
+  const auto exact = scene.exact;
+  const double p_inf = description.p_inf;
+  if (exact && exact->describes_fluid())
+    boundaries.exact = [exact, p_inf](const Point<Dim>& x, double t) {
+      Primitive<Dim> W = exact->state(x, t);
+      W.pressure += p_inf;
+      return W;
+    };
+  else
+    boundaries.exact = scene.setup.initial;
+}
+
+template <int Dim>
+void set_grid(const CaseDescription& description, EulerSetup<Dim>& fluid) {
+  static constexpr int preferred[] = {64, 32};
+  for (std::size_t d = 0; d < Dim; ++d) {
+    const int k = static_cast<int>(d);
+    fluid.domain.low[k] = description.domain_low[d];
+    fluid.domain.high[k] = description.domain_high[d];
+    const int wanted = static_cast<int>(std::lround((fluid.domain.high[k] - fluid.domain.low[k]) / description.spacing()));
+    const int tile = description.tile[d];
+    const Tiling tiling = tile > 0 ? Tiling{(wanted + tile - 1) / tile * tile, tile} : choose_tiling(wanted, Dim == 1 ? 128 : preferred[d % 2]);
+    fluid.cells[d] = tiling.cells;
+    fluid.tile[d] = tiling.tile;
+  }
+}
+
+}  // namespace
+
+Tiling choose_tiling(int wanted, int preferred) {
+  for (int cells = std::max(wanted + wanted % 2, 4);; cells += 2) {
+    int best = 0;
+    for (int tile = 4; tile <= std::min(cells, 2 * preferred); tile += 2)
+      if (cells % tile == 0 && std::abs(std::log(double(tile) / preferred)) <= std::abs(std::log(std::max(best, 1) / double(preferred)))) best = tile;
+    if (best >= std::min(preferred / 2, cells)) return {cells, best};
+  }
+}
+
+template <int Dim>
+Scene<Dim> build_scene(const CaseDescription& description) {
+  Scene<Dim> scene;
+  SimulationSetup<Dim>& setup = scene.setup;
+  EulerSetup<Dim>& fluid = setup.fluid;
+  scene.exact = make_exact<Dim>(description);
+  const auto initial = std::make_shared<InitialState<Dim>>(description);
+  const double p_inf = description.p_inf;
+  setup.initial = [initial, p_inf](const Point<Dim>& x, double) {
+    Primitive<Dim> W = (*initial)(x);
+    W.pressure += p_inf;
+    return W;
+  };
+  fluid.gas = {description.gamma, description.p_inf};
+  fluid.skip = description.skip;
+  set_grid(description, fluid);
+  set_boundaries(description, scene, fluid.boundaries);
+  fluid.options.gamma = description.gamma;
+  fluid.options.limiter = limiters().at(description.limiter);
+  fluid.options.riemann = riemann_solvers().at(description.riemann);
+  fluid.options.van_albada_floor = van_albada_floor<Dim>(setup, description.van_albada_k, description.spacing());
+
+  setup.scheme = description.bodies.empty() ? "rigid" : description.scheme;
+  for (int d = 0; d < Dim; ++d) setup.gravity[d] = description.gravity[static_cast<std::size_t>(d)];
+  setup.cfl = description.cfl;
+  setup.time_step = description.time_step;
+  setup.contact = description.contact;
+  setup.restitution = description.restitution;
+  double spacing = 1e300;
+  for (int d = 0; d < Dim; ++d)
+    spacing = std::min(spacing, (fluid.domain.high[d] - fluid.domain.low[d]) / fluid.cells[static_cast<std::size_t>(d)]);
+  for (std::size_t b = 0; b < description.bodies.size(); ++b) add_body<Dim>(description, b, spacing, setup);
+  const double least = 2 * (fluid.overlap.margin + 2.5);
+  setup.contact_gap = (description.contact_gap > 0 ? description.contact_gap : least) * spacing;
+  check_clearance(setup, least * spacing);
+  return scene;
+}
+
+template Scene<1> build_scene<1>(const CaseDescription&);
+template Scene<2> build_scene<2>(const CaseDescription&);
+
+}  // namespace mortise

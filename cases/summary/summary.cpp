@@ -1,0 +1,66 @@
+#include "mortise/cases/summary/summary.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "mortise/grids/output/atomic_file.hpp"
+
+namespace mortise {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const BodySummary& body) {
+  return {{"name", body.name},
+          {"position", body.position},
+          {"angle", body.angle},
+          {"velocity", body.velocity},
+          {"angular_velocity", body.angular_velocity}};
+}
+
+Json to_json(const Provenance& made_by, const std::string& case_text) {
+  return {{"version", made_by.version},   {"git", made_by.git},     {"dirty", made_by.dirty},
+          {"compiler", made_by.compiler}, {"flags", made_by.flags}, {"case_text", case_text}};
+}
+
+Json to_json(const RunSummary& run) {
+  Json json = {{"case", run.case_name},
+               {"scheme", run.scheme},
+               {"status", run.status},
+               {"reason", run.reason},
+               {"time", run.time},
+               {"steps", run.steps},
+               {"ranks", run.ranks},
+               {"wall_seconds", run.wall_seconds},
+               {"cell_updates", run.cell_updates}};
+  json["cell_updates_per_second"] = run.wall_seconds > 0 ? run.cell_updates / run.wall_seconds : 0.0;
+  json["skipped_fraction"] = run.skipped_fraction;
+  json["phases"] = run.phases;
+  json["memory_bytes"] = run.memory_bytes;
+  json["cells"] = Json::object();
+  for (const auto& [grid, count] : run.cells) json["cells"][grid] = count;
+  if (!run.errors.empty()) json["errors"] = Json::object();
+  for (const auto& [quantity, norms] : run.errors)
+    json["errors"][quantity] = {{"l1", norms.l1}, {"l2", norms.l2}, {"max", norms.max}};
+  if (run.conservation)
+    json["conservation"] = {{"mass", run.conservation->mass},
+                            {"momentum", run.conservation->momentum},
+                            {"energy", run.conservation->energy}};
+  json["bodies"] = Json::array();
+  for (const BodySummary& body : run.bodies) json["bodies"].push_back(to_json(body));
+  json["overlap"] = {{"orphans", run.overlap.orphans},
+                     {"fringe", run.overlap.fringe},
+                     {"holes", run.overlap.holes},
+                     {"tight", run.overlap.tight}};
+  json["contacts"] = run.contacts;
+  json["repeated_steps"] = run.repeated_steps;
+  json["provenance"] = to_json(run.provenance, run.case_text);
+  return json;
+}
+
+}  // namespace
+
+void write_summary(const RunSummary& summary, const std::string& path) {
+  write_file(path, to_json(summary).dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
+}
+
+}  // namespace mortise

@@ -1,0 +1,67 @@
+// summary.json: what a run was and how it ended.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mortise/cases/summary/provenance.hpp"
+
+namespace mortise {
+
+/// Against the exact solution, over active cells; l1 and l2 are volume-weighted means. Non-dimensional.
+struct ErrorNorms {
+  double l1 = 0, l2 = 0, max = 0;
+};
+
+/// A rigid body at the end of the run.
+struct BodySummary {
+  std::string name;
+  std::vector<double> position, velocity;  // one number per dimension
+  double angle = 0;                        // radians
+  double angular_velocity = 0;             // radians per time
+};
+
+/// Relative change over the run of what a closed domain (walls, periodic sides) contains, gas and bodies; overlapping
+/// cells are shared out smoothly, so that interpolation between grids shows as a defect. NaN where it is not a
+/// conserved quantity.
+struct ConservationSummary {
+  double mass = 0, momentum = 0, energy = 0;
+};
+
+struct OverlapSummary {
+  std::int64_t orphans = 0, fringe = 0, holes = 0;  // cells, at the end of the run
+  std::int64_t tight = 0;  // interpolated cells with a donor clamped to a wall row, summed over the steps
+};
+
+struct RunSummary {
+  std::string case_name, scheme;
+  std::string status = "finished";  // finished, unstable, failed
+  std::string reason;               // one sentence when not finished
+  double time = 0;                  // reached
+  std::int64_t steps = 0;
+  int ranks = 1;
+  double wall_seconds = 0, cell_updates = 0;
+  double skipped_fraction = 0;                              // of all cell updates
+  std::map<std::string, double> phases;                     // seconds
+  std::int64_t memory_bytes = 0;                            // largest resident size, sum over ranks
+  std::vector<std::pair<std::string, std::int64_t>> cells;  // per grid
+  std::vector<std::pair<std::string, ErrorNorms>> errors;   // "fluid.density", …; empty without an exact solution
+  std::optional<ConservationSummary> conservation;
+  std::vector<BodySummary> bodies;
+  OverlapSummary overlap;
+  std::int64_t contacts = 0;        // impulses between bodies, or bodies and walls
+  std::int64_t repeated_steps = 0;  // with half the Δt, after an inadmissible state
+  Provenance provenance;
+  std::string case_text;  // the case file with overrides appended
+};
+
+/// Writes summary.json atomically; numbers that are not finite become null. cell_updates_per_second is derived.
+/// Throws EnvironmentError.
+void write_summary(const RunSummary& summary, const std::string& path);
+
+}  // namespace mortise

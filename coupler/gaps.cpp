@@ -1,0 +1,81 @@
+#include "mortise/coupler/gaps.hpp"
+
+#include <cmath>
+
+#include "mortise/grids/geometry/frame.hpp"
+#include "mortise/grids/geometry/neighbors.hpp"
+
+namespace mortise {
+namespace {
+
+bool far_apart(const GapBody<2>& a, const GapBody<2>& b, double within) {
+  return !Frame<2>(a.pose).to_space(a.atlas->reach()).grown(within).meets(Frame<2>(b.pose).to_space(b.atlas->reach()));
+}
+
+ContactPoint<2> gap_between(const std::vector<GapBody<2>>& bodies, int a, int b) {
+  const auto &A = bodies[static_cast<std::size_t>(a)], &B = bodies[static_cast<std::size_t>(b)];
+  Point<2> on_a, on_b;
+  const double gap = outline_distance(*A.outline, A.pose, *B.outline, B.pose, &on_a, &on_b);
+  Point<2> normal = gap > 0 ? Point<2>(on_b - on_a) : Point<2>(B.pose.position - A.pose.position);
+  return {a, b, normal.normalized(), 0.5 * (on_a + on_b), gap};
+}
+
+/// The point of the body that is farthest along `direction`.
+Point<2> support(const GapBody<2>& body, const Point<2>& direction) {
+  const Frame<2> frame(body.pose);
+  const Point<2> local(frame.to_body(body.pose.position + direction));
+  const Point<2>* best = nullptr;
+  for (const Point<2>& X : body.outline->polygon())
+    if (!best || X.dot(local) > best->dot(local)) best = &X;
+  return frame.to_space(*best);
+}
+
+bool far_apart(const GapBody<1>&, const GapBody<1>&, double) { return false; }
+
+double face(const GapBody<1>& body, double direction) {
+  return body.pose.position[0] + (direction > 0 ? body.atlas->right() : body.atlas->left());
+}
+
+ContactPoint<1> gap_between(const std::vector<GapBody<1>>& bodies, int a, int b) {
+  const auto &A = bodies[static_cast<std::size_t>(a)], &B = bodies[static_cast<std::size_t>(b)];
+  const double direction = face(B, -1) + face(B, 1) > face(A, -1) + face(A, 1) ? 1 : -1;
+  const double gap = direction * (face(B, -direction) - face(A, direction));
+  return {a, b, Point<1>(direction), Point<1>(0.5 * (face(B, -direction) + face(A, direction))), gap};
+}
+
+Point<1> support(const GapBody<1>& body, const Point<1>& direction) { return Point<1>(face(body, direction[0])); }
+
+}  // namespace
+
+template <int Dim>
+std::vector<ContactPoint<Dim>> find_gaps(const std::vector<GapBody<Dim>>& bodies, const Box<Dim>& domain, const std::array<bool, Dim>& periodic,
+                                         double within) {
+  std::vector<ContactPoint<Dim>> gaps;
+  const int n = static_cast<int>(bodies.size());
+  for (int a = 0; a < n; ++a) {
+    const GapBody<Dim>& body = bodies[static_cast<std::size_t>(a)];
+    for (int b = a + 1; b < n; ++b) {
+      if (far_apart(body, bodies[static_cast<std::size_t>(b)], within)) continue;
+      const ContactPoint<Dim> point = gap_between(bodies, a, b);
+      if (point.gap < within) gaps.push_back(point);
+    }
+    const Box<Dim> reach = Frame<Dim>(body.pose).to_space(body.atlas->reach()).grown(within);
+    for (int d = 0; d < Dim; ++d)
+      for (const double sign : {-1.0, 1.0}) {
+        if (periodic[static_cast<std::size_t>(d)]) continue;
+        const double edge = sign < 0 ? domain.low[d] : domain.high[d];
+        if (sign * (edge - (sign < 0 ? reach.low[d] : reach.high[d])) > 0) continue;
+        Point<Dim> normal = Point<Dim>::Zero();
+        normal[d] = sign;
+        const Point<Dim> tip = support(body, normal);
+        const double gap = sign * (edge - tip[d]);
+        if (std::isfinite(gap) && gap < within) gaps.push_back({a, -1, normal, tip, gap});
+      }
+  }
+  return gaps;
+}
+
+template std::vector<ContactPoint<1>> find_gaps<1>(const std::vector<GapBody<1>>&, const Box<1>&, const std::array<bool, 1>&, double);
+template std::vector<ContactPoint<2>> find_gaps<2>(const std::vector<GapBody<2>>&, const Box<2>&, const std::array<bool, 2>&, double);
+
+}  // namespace mortise

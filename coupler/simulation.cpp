@@ -1,0 +1,239 @@
+#include "mortise/coupler/simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mortise/fluid/wall_pressure.hpp"
+#include "mortise/grids/core/error.hpp"
+
+namespace mortise {
+namespace {
+
+/// Wall faces of a body in its own frame: unit normals into the fluid, centres, measures.
+template <int Dim>
+struct FaceGeometry {
+  Point<Dim> normal, center;
+  double measure;
+};
+
+std::vector<FaceGeometry<2>> face_geometry(const BodyAtlas& atlas) {
+  std::vector<FaceGeometry<2>> faces;
+  const GrownGrid& grid = atlas.grid();
+  for (int i = 0; i < grid.along; ++i) {
+    const Point<2> edge = grid.node(i + 1, 0) - grid.node(i, 0);
+    faces.push_back({Point<2>(-edge[1], edge[0]) / edge.norm(), 0.5 * (grid.node(i, 0) + grid.node(i + 1, 0)), edge.norm()});
+  }
+  return faces;
+}
+
+std::vector<FaceGeometry<1>> face_geometry(const LineAtlas& atlas) {
+  std::vector<FaceGeometry<1>> faces;
+  if (std::isfinite(atlas.left())) faces.push_back({Point<1>(-1), Point<1>(atlas.left()), 1});
+  if (std::isfinite(atlas.right())) faces.push_back({Point<1>(1), Point<1>(atlas.right()), 1});
+  return faces;
+}
+
+}  // namespace
+
+template <int Dim>
+Simulation<Dim>::Simulation(const Communicator& comm, SimulationSetup<Dim> setup)
+    : comm_(comm), setup_(std::move(setup)), fluid_(comm_, setup_.fluid, timers_), scheme_(&body_schemes<Dim>().at(setup_.scheme)) {
+  for (const BodySetup<Dim>& body : setup_.bodies) {
+    bodies_.push_back(body.body);
+    initial_poses_.push_back(body.body.pose);
+  }
+  mean_velocity_.resize(bodies_.size(), BodyVector<Dim>::Zero());
+  loads_.resize(bodies_.size());
+}
+
+template <int Dim>
+std::vector<Pose<Dim>> Simulation<Dim>::poses() const {
+  std::vector<Pose<Dim>> all;
+  for (const RigidBody<Dim>& body : bodies_) all.push_back(body.pose);
+  return all;
+}
+
+template <int Dim>
+void Simulation<Dim>::initialize() {
+  fluid_.initialize(setup_.initial, poses(), time_);
+  const double instant = 1e-6 * setup_.fluid.domain.high[0];
+  for (std::size_t b = 0; b < bodies_.size(); ++b) mean_velocity_[b] = held_velocity(b, instant);
+  std::vector<BodyPath<Dim>> paths;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) paths.push_back(path(b, mean_velocity_[b], instant));
+  fluid_.measure_rates(paths, instant);
+}
+
+/// y^n, with the mean velocity over the coming step in place of held degrees of freedom.
+template <int Dim>
+BodyVector<Dim> Simulation<Dim>::held_velocity(std::size_t b, double dt) const {
+  BodyVector<Dim> y = bodies_[b].y;
+  for (int k = 0; k < degrees_of_freedom<Dim>; ++k) {
+    const auto degree = static_cast<std::size_t>(k);
+    if (!bodies_[b].held[degree]) continue;
+    const TimeFunction& motion = setup_.bodies[b].motion[degree];
+    y[k] = motion ? (motion(time_ + dt) - motion(time_)) / dt : 0.0;
+  }
+  return y;
+}
+
+template <int Dim>
+BodyPath<Dim> Simulation<Dim>::path(std::size_t b, const BodyVector<Dim>& mean, double dt) const {
+  BodyPath<Dim> path{bodies_[b].pose, advanced<Dim>(bodies_[b].pose, mean, dt)};
+  for (int k = 0; k < degrees_of_freedom<Dim>; ++k) {  // prescribed displacements do not accumulate errors
+    const TimeFunction& motion = setup_.bodies[b].motion[static_cast<std::size_t>(k)];
+    if (!motion) continue;
+    if (k < Dim)
+      path.end.position[k] = initial_poses_[b].position[k] + motion(time_ + dt);
+    else
+      path.end.angle = initial_poses_[b].angle + motion(time_ + dt);
+  }
+  return path;
+}
+
+template <int Dim>
+std::vector<WallFace<Dim>> Simulation<Dim>::wall_faces(std::size_t b, const std::vector<WallTrace<Dim>>& traces, const Pose<Dim>& pose) const {
+  const std::vector<FaceGeometry<Dim>> geometry = face_geometry(*setup_.fluid.bodies[b].shape.atlas);
+  const Frame<Dim> frame(pose);
+  std::vector<WallFace<Dim>> faces(geometry.size());
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const Point<Dim> normal = frame.turn(geometry[i].normal);
+    const auto along = [&](const std::array<double, Dim>& u) {
+      double sum = 0;
+      for (std::size_t d = 0; d < Dim; ++d) sum += u[d] * normal[static_cast<int>(d)];
+      return sum;
+    };
+    const Primitive<Dim>&now = traces[i].now, &half = traces[i].half;
+    faces[i] = {normal,       frame.turn(geometry[i].center), geometry[i].measure,  now.density,  along(now.velocity),
+                now.pressure, half.density,                   along(half.velocity), half.pressure};
+  }
+  return faces;
+}
+
+template <int Dim>
+typename Simulation<Dim>::Motion Simulation<Dim>::move_bodies(double dt) {
+  const auto scope = timers_("bodies");
+  Motion motion;
+  std::vector<BodyPath<Dim>> predicted;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) predicted.push_back(path(b, held_velocity(b, dt), dt));
+  const std::vector<std::vector<WallTrace<Dim>>> traces = fluid_.wall_traces(predicted, dt);
+  const Gas& gas = setup_.fluid.gas;
+  const WallLaw law = [&gas](double density, double pressure, double d) {
+    const WallResponse response = wall_response(density, pressure, d, gas.gamma);
+    return WallPressure{response.pressure, response.impedance};
+  };
+  std::vector<BodyMatrix<Dim>> responses;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    BodyStep<Dim> step{.name = bodies_[b].name, .mass = bodies_[b].mass_diagonal(), .velocity = held_velocity(b, dt), .held = bodies_[b].held,
+                       .length = bodies_[b].length, .dt = dt, .p_inf = gas.p_inf};
+    for (std::size_t stage = 0; stage < 2; ++stage) {
+      const double t = time_ + (stage == 0 ? sdirk2_gamma : 1.0) * dt;
+      for (int k = 0; k < degrees_of_freedom<Dim>; ++k) {
+        const TimeFunction& force = setup_.bodies[b].force[static_cast<std::size_t>(k)];
+        step.external[stage][k] = (force ? force(t) : 0.0) + (k < Dim ? bodies_[b].mass * setup_.gravity[k % Dim] : 0.0);
+      }
+    }
+    const Pose<Dim> middle{0.5 * (predicted[b].start.position + predicted[b].end.position), 0.5 * (predicted[b].start.angle + predicted[b].end.angle)};
+    const std::vector<WallFace<Dim>> faces = wall_faces(b, traces[b], middle);
+    const bool coupled = setup_.fluid.bodies[b].wall;
+    const BodyMotion<Dim> moved = coupled ? scheme_->advance(step, faces, law) : scheme_->advance(step, {}, law);
+    motion.end.push_back(moved.velocity);
+    motion.mean.push_back(moved.mean);
+    motion.pressure.push_back(moved.pressure);
+    motion.loads.push_back({moved.force.template head<Dim>(), Dim == 2 ? moved.force[Dim + rotations<Dim> - 1] : 0.0});
+    responses.push_back(moved.response);
+  }
+  if (setup_.contact) touch(motion, responses, dt);
+  for (std::size_t b = 0; b < bodies_.size(); ++b) motion.paths.push_back(path(b, motion.mean[b], dt));
+  return motion;
+}
+
+/// Bound of what the change of the walls' velocity adds to the wave rates, which were measured with the last one.
+template <int Dim>
+double Simulation<Dim>::extra_rate(const Motion& motion) const {
+  double extra = 0;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const BodyVector<Dim> change = motion.mean[b] - mean_velocity_[b];
+    double speed = change.template head<Dim>().template lpNorm<1>();
+    if constexpr (Dim == 2) speed += std::fabs(change[2]) * setup_.fluid.bodies[b].shape.atlas->reach().high.norm();
+    extra = std::max(extra, speed / setup_.fluid.bodies[b].shape.spacing);
+  }
+  return extra;
+}
+
+template <int Dim>
+double Simulation<Dim>::next_step(double limit) const {
+  static constexpr double ramp[] = {0.1, 0.2, 0.4, 0.6, 0.8};  // the first steps, while waves form at discontinuities
+  double dt = setup_.time_step > 0 ? setup_.time_step : setup_.cfl / fluid_.rate();
+  if (setup_.time_step <= 0 && step_ < 5) dt *= ramp[step_];
+  const double left = limit - time_;
+  if (dt >= left * (1 - 1e-12)) return left;
+  return 2 * dt > left ? 0.5 * left : dt;
+}
+
+template <int Dim>
+double Simulation<Dim>::advance(double limit) {
+  double dt = next_step(limit);
+  Motion motion;
+  for (int attempt = 0;; ++attempt) {
+    motion = move_bodies(dt);
+    const double fastest = dt * (fluid_.rate() + extra_rate(motion));
+    const bool too_fast = setup_.time_step <= 0 && fastest > 1 && attempt < 20;
+    if (!too_fast && fluid_.step(motion.paths, motion.pressure, dt)) break;
+    if (attempt >= 30 || dt < 1e-14 * (std::fabs(time_) + 1))
+      throw NumericalError("the computation failed at t = " + std::to_string(time_) + ", step " + std::to_string(step_) +
+                           ": " + fluid_.first_bad_cell(motion.paths));
+    dt = too_fast ? dt * std::max(0.5, std::min(0.95, setup_.cfl / fastest)) : 0.5 * dt;
+    ++halvings_;
+  }
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    bodies_[b].pose = motion.paths[b].end;
+    bodies_[b].y = motion.end[b];
+  }
+  mean_velocity_ = motion.mean;
+  loads_ = motion.loads;
+  contacts_ += motion.contacts;
+  const bool last = dt == limit - time_;
+  time_ = last ? limit : time_ + dt;
+  last_step_ = dt;
+  ++step_;
+  cell_updates_ += fluid_.last_count().computed;
+  cells_skipped_ += fluid_.last_count().skipped;
+  fluid_.commit(poses(), time_);
+  return dt;
+}
+
+template <int Dim>
+std::vector<double> Simulation<Dim>::motion_state() const {
+  std::vector<double> state = {time_, last_step_, static_cast<double>(step_)};
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    for (int d = 0; d < Dim; ++d) state.push_back(bodies_[b].pose.position[d]);
+    state.push_back(bodies_[b].pose.angle);
+    for (const BodyVector<Dim>* y : {&bodies_[b].y, &mean_velocity_[b]})
+      for (int k = 0; k < degrees_of_freedom<Dim>; ++k) state.push_back((*y)[k]);
+    for (int d = 0; d < Dim; ++d) state.push_back(loads_[b].force[d]);
+    state.push_back(loads_[b].torque);
+  }
+  return state;
+}
+
+template <int Dim>
+void Simulation<Dim>::resume(const std::vector<double>& state) {
+  const double* next = state.data();
+  time_ = *next++;
+  last_step_ = *next++;
+  step_ = static_cast<std::int64_t>(*next++);
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    for (int d = 0; d < Dim; ++d) bodies_[b].pose.position[d] = *next++;
+    bodies_[b].pose.angle = *next++;
+    for (BodyVector<Dim>* y : {&bodies_[b].y, &mean_velocity_[b]})
+      for (int k = 0; k < degrees_of_freedom<Dim>; ++k) (*y)[k] = *next++;
+    for (int d = 0; d < Dim; ++d) loads_[b].force[d] = *next++;
+    loads_[b].torque = *next++;
+  }
+  fluid_.resume(poses(), time_);
+}
+
+template class Simulation<1>;
+template class Simulation<2>;
+
+}  // namespace mortise

@@ -1,0 +1,115 @@
+// A scene of gas and rigid bodies, advanced in time.
+//
+// One step, t → t + Δt:
+//   predict walls   fluid at the wall faces at t and t + Δt/2, walls moving as in the last step
+//   move bodies     the coupling scheme solves M y' = F(y); contacts
+//   advance fluid   every grid, body grids along the path of their body, wall faces with the scheme's pressure
+//   correct grids   cut holes for the new poses, interpolate fringe and exposed cells, fill ghosts
+// A step whose state is not admissible is repeated with half the Δt.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mortise/coupler/body_schemes.hpp"
+#include "mortise/coupler/contact.hpp"
+#include "mortise/fluid/euler_solver.hpp"
+#include "mortise/solid/rigid_body.hpp"
+
+namespace mortise {
+
+/// A function of time, non-dimensional; empty: not given.
+using TimeFunction = std::function<double(double)>;
+
+template <int Dim>
+struct BodySetup {
+  RigidBody<Dim> body;
+  std::array<TimeFunction, degrees_of_freedom<Dim>> motion;  // prescribed displacement from the initial pose
+  std::array<TimeFunction, degrees_of_freedom<Dim>> force;   // external force and torque
+  std::shared_ptr<const Outline> outline;                    // 2D: for contact
+};
+
+template <int Dim>
+struct SimulationSetup {
+  EulerSetup<Dim> fluid;
+  std::vector<BodySetup<Dim>> bodies;    // in the order of fluid.bodies
+  StateFunction<Dim> initial;            // (ρ, u, p̃) at t = 0
+  std::string scheme = "rigid";          // key of body_schemes()
+  Point<Dim> gravity = Point<Dim>::Zero();
+  double cfl = 0.9;                      // in (0, 1]
+  double time_step = 0;                  // fixed Δt; 0: from cfl
+  bool contact = true;
+  double restitution = 1;
+  double contact_gap = 0;                // bodies closer than this touch; length
+};
+
+/// What happened to one body in the last step.
+template <int Dim>
+struct BodyLoad {
+  Point<Dim> force = Point<Dim>::Zero();  // of the gas on the body, mean over the step
+  double torque = 0;
+};
+
+template <int Dim>
+class Simulation {
+ public:
+  Simulation(const Communicator& comm, SimulationSetup<Dim> setup);
+
+  void initialize();
+  /// One step that does not pass `limit`; returns Δt. Throws NumericalError naming the first bad cell.
+  double advance(double limit);
+  /// The Δt advance(limit) would begin with.
+  double next_step(double limit) const;
+
+  double time() const { return time_; }
+  std::int64_t steps() const { return step_; }
+  const std::vector<RigidBody<Dim>>& bodies() const { return bodies_; }
+  const std::vector<BodyLoad<Dim>>& loads() const { return loads_; }
+  std::vector<Pose<Dim>> poses() const;
+  EulerSolver<Dim>& fluid() { return fluid_; }
+  const EulerSolver<Dim>& fluid() const { return fluid_; }
+  const SimulationSetup<Dim>& setup() const { return setup_; }
+  PhaseTimers& timers() { return timers_; }
+  std::int64_t cell_updates() const { return cell_updates_; }   // computed, on this rank
+  std::int64_t cells_skipped() const { return cells_skipped_; }  // left out, on this rank
+  std::int64_t contacts() const { return contacts_; }           // steps × contacts with an impulse
+  std::int64_t halvings() const { return halvings_; }           // steps repeated with half the Δt
+
+  /// What a restart needs beside the fields and rates of the fluid: time, step, Δt and the motion of the bodies.
+  std::vector<double> motion_state() const;
+  /// Continues from motion_state(), fields and rates already being in place.
+  void resume(const std::vector<double>& state);
+
+ private:
+  struct Motion {  // of one attempted step
+    std::vector<BodyVector<Dim>> end, mean;
+    std::vector<std::vector<double>> pressure;
+    std::vector<BodyLoad<Dim>> loads;
+    std::vector<BodyPath<Dim>> paths;
+    int contacts = 0;
+  };
+
+  std::vector<BodyPath<Dim>> predicted_paths(double dt) const;
+  BodyPath<Dim> path(std::size_t body, const BodyVector<Dim>& mean, double dt) const;
+  BodyVector<Dim> held_velocity(std::size_t body, double dt) const;
+  Motion move_bodies(double dt);
+  std::vector<WallFace<Dim>> wall_faces(std::size_t body, const std::vector<WallTrace<Dim>>& traces, const Pose<Dim>& pose) const;
+  void touch(Motion& motion, const std::vector<BodyMatrix<Dim>>& responses, double dt) const;
+  double extra_rate(const Motion& motion) const;
+
+  Communicator comm_;
+  SimulationSetup<Dim> setup_;
+  PhaseTimers timers_;
+  EulerSolver<Dim> fluid_;
+  std::vector<RigidBody<Dim>> bodies_;
+  std::vector<Pose<Dim>> initial_poses_;
+  std::vector<BodyVector<Dim>> mean_velocity_;  // of the last step: the velocity the grids had
+  std::vector<BodyLoad<Dim>> loads_;
+  const BodyScheme<Dim>* scheme_;
+  double time_ = 0, last_step_ = 0;
+  std::int64_t step_ = 0, cell_updates_ = 0, cells_skipped_ = 0, contacts_ = 0, halvings_ = 0;
+};
+
+}  // namespace mortise

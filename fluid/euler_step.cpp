@@ -1,0 +1,218 @@
+// The step itself: which tiles are computed, and the kernel's view of each.
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "mortise/fluid/cell.hpp"
+#include "mortise/fluid/euler_solver.hpp"
+
+namespace mortise {
+
+template <int Dim>
+CartesianTile<Dim> EulerSolver<Dim>::cartesian(int g, int t) {
+  const auto grid = static_cast<std::size_t>(g);
+  CartesianTile<Dim> tile;
+  tile.shape = &grids_[grid].shape;
+  tile.now = now_[grid].tile(t).component(0);
+  tile.next = next_[grid].tile(t).component(0);
+  for (std::size_t d = 0; d < Dim; ++d) tile.spacing[d] = grids_[grid].spacing[static_cast<int>(d)];
+  const TileMask& mask = grids_[grid].masks[static_cast<std::size_t>(t)];
+  tile.active = mask.cut() ? mask.active.data() : nullptr;
+  return tile;
+}
+
+/// The kernel's view of a body-grid tile whose nodes place() has put.
+template <int Dim>
+FittedTile<Dim> EulerSolver<Dim>::fitted(int g, int t) {
+  const CartesianTile<Dim> base = cartesian(g, t);
+  FittedTile<Dim> tile{};
+  if constexpr (Dim == 2) {
+    tile.shape = base.shape;
+    tile.nodes = &node_shapes_[static_cast<std::size_t>(g)];
+    tile.now = base.now;
+    tile.next = base.next;
+    tile.active = base.active;
+    tile.x = positions_[0].data();
+    tile.y = positions_[1].data();
+    tile.wx = velocities_[0].data();
+    tile.wy = velocities_[1].data();
+  } else {
+    tile.line = base;
+    tile.velocity = velocities_[0][0];
+  }
+  return tile;
+}
+
+template <int Dim>
+StepResult EulerSolver<Dim>::step_tile(int g, int t, const std::vector<BodyPath<Dim>>& paths, const std::vector<std::vector<double>>& pressure,
+                                       double dt) {
+  const ComponentGrid<Dim>& grid = grids_[static_cast<std::size_t>(g)];
+  if (grid.background()) return godunov_step(cartesian(g, t), dt, setup_.options);
+  const auto body = static_cast<std::size_t>(grid.body);
+  place(g, t, paths[body], dt, 0.5);
+  FittedTile<Dim> tile = fitted(g, t);
+  if (setup_.bodies[body].wall) {
+    if constexpr (Dim == 2) {
+      tile.south = WallSide{.present = true, .pressure = pressure[body].data() + grid.first_cell(t)[0]};
+    } else {
+      const bool two_sided = std::isfinite(setup_.bodies[body].shape.atlas->left());
+      (grid.side > 0 ? tile.left : tile.right) = WallSide{.present = true, .pressure = pressure[body].data() + (grid.side > 0 && two_sided ? 1 : 0)};
+    }
+  }
+  return godunov_step(tile, dt, setup_.options);
+}
+
+template <int Dim>
+bool EulerSolver<Dim>::step(const std::vector<BodyPath<Dim>>& paths, const std::vector<std::vector<double>>& pressure, double dt) {
+  const auto scope = timers_("fluid");
+  count_ = {};
+  bool admissible = true;
+  for (std::size_t g = 0; g < grids_.size(); ++g)
+    for (int t = 0; t < now_[g].tiles(); ++t) {
+      const auto tile = static_cast<std::size_t>(t);
+      const TileMask& mask = grids_[g].masks[tile];
+      new_rates_[g][tile] = rates_[g][tile];
+      computed_[g][tile] = 0;
+      if (!now_[g].tile(t).allocated() || (setup_.skip && quiet(static_cast<int>(g), t))) {
+        if (now_[g].tile(t).allocated()) count_.skipped += mask.active_count;
+        continue;
+      }
+      if (mask.cut() && mask.active_count == 0 && mask.hole) continue;
+      const StepResult result = step_tile(static_cast<int>(g), t, paths, pressure, dt);
+      computed_[g][tile] = 1;
+      new_rates_[g][tile] = result.rate;
+      admissible = admissible && result.admissible;
+      count_.computed += mask.active_count;
+      uniform_[g][tile] = grids_[g].background() && !mask.cut() && uniform(static_cast<int>(g), t, next_[g].tile(t));
+    }
+  return !comm_.any(!admissible);
+}
+
+template <int Dim>
+double EulerSolver<Dim>::rate() const {
+  double fastest = 0;
+  for (const std::vector<double>& of_grid : rates_)
+    for (const double rate : of_grid) fastest = std::max(fastest, rate);
+  return comm_.max(fastest);
+}
+
+template <int Dim>
+void EulerSolver<Dim>::measure_rates(const std::vector<BodyPath<Dim>>& paths, double dt) {
+  for (std::size_t g = 0; g < grids_.size(); ++g)
+    for (int t = 0; t < now_[g].tiles(); ++t) {
+      double& rate = rates_[g][static_cast<std::size_t>(t)];
+      rate = 0;
+      const TileMask& mask = grids_[g].masks[static_cast<std::size_t>(t)];
+      if (!now_[g].tile(t).allocated() || (mask.cut() && mask.active_count == 0)) continue;
+      if (grids_[g].background()) {
+        rate = wave_rate(cartesian(static_cast<int>(g), t), setup_.options).rate;
+      } else {
+        place(static_cast<int>(g), t, paths[static_cast<std::size_t>(grids_[g].body)], dt, 0);
+        rate = wave_rate(fitted(static_cast<int>(g), t), setup_.options).rate;
+      }
+    }
+}
+
+template <int Dim>
+std::vector<std::vector<WallTrace<Dim>>> EulerSolver<Dim>::wall_traces(const std::vector<BodyPath<Dim>>& paths, double dt) {
+  struct Item {
+    int body, face;
+    WallTrace<Dim> trace;
+  };
+  std::vector<Item> mine;
+  for (std::size_t g = 0; g < grids_.size(); ++g) {
+    const ComponentGrid<Dim>& grid = grids_[g];
+    if (grid.background() || !setup_.bodies[static_cast<std::size_t>(grid.body)].wall) continue;
+    for (int t = 0; t < now_[g].tiles(); ++t) {
+      place(static_cast<int>(g), t, paths[static_cast<std::size_t>(grid.body)], dt, 0);
+      FittedTile<Dim> tile = fitted(static_cast<int>(g), t);
+      if constexpr (Dim == 2) {
+        tile.south.present = true;
+        std::vector<WallTrace2> traces(static_cast<std::size_t>(grid.shape.cells[0]));
+        mortise::wall_traces(tile, dt, setup_.options, traces.data());
+        for (std::size_t i = 0; i < traces.size(); ++i)
+          mine.push_back({grid.body, grid.first_cell(t)[0] + static_cast<int>(i), {traces[i].now, traces[i].half}});
+      } else {
+        (grid.side > 0 ? tile.left : tile.right).present = true;
+        const WallTrace1 trace = wall_trace(tile, grid.side < 0, dt, setup_.options);
+        mine.push_back({grid.body, grid.side > 0 ? 1 : 0, {trace.now, trace.half}});
+      }
+    }
+  }
+  std::vector<Item> all = comm_.gather_all(mine);
+  std::stable_sort(all.begin(), all.end(), [](const Item& a, const Item& b) { return std::pair(a.body, a.face) < std::pair(b.body, b.face); });
+  std::vector<std::vector<WallTrace<Dim>>> traces(setup_.bodies.size());
+  for (const Item& item : all) traces[static_cast<std::size_t>(item.body)].push_back(item.trace);
+  return traces;
+}
+
+/// All cells of the tile hold the same state, bit for bit.
+template <int Dim>
+bool EulerSolver<Dim>::uniform(int g, int, const TileBlock& block) const {
+  const TileShape<Dim>& shape = grids_[static_cast<std::size_t>(g)].shape;
+  if (!grids_[static_cast<std::size_t>(g)].background() || !block.allocated()) return false;
+  const int rows = Dim == 2 ? shape.cells[Dim - 1] : 1;
+  const std::size_t first = shape.at(0, 0);
+  for (int j = 0; j < rows; ++j)
+    for (int c = 0; c < components; ++c) {
+      const double* row = block.component(c) + shape.at(0, j);
+      const double value = block.component(c)[first];
+      for (int i = 0; i < shape.cells[0]; ++i)
+        if (row[i] != value) return false;
+    }
+  return true;
+}
+
+/// A uniform tile whose ghost cells hold its own state: the step would leave it as it is, bit for bit.
+template <int Dim>
+bool EulerSolver<Dim>::quiet(int g, int t) const {
+  const auto grid = static_cast<std::size_t>(g);
+  if (!uniform_[grid][static_cast<std::size_t>(t)] || grids_[grid].masks[static_cast<std::size_t>(t)].cut()) return false;
+  const TileShape<Dim>& shape = grids_[grid].shape;
+  const TileBlock& block = now_[grid].tile(t);
+  const std::size_t first = shape.at(0, 0);
+  const int side_rows = Dim == 2 ? shape.cells[Dim - 1] + shape.ghosts : 1;
+  for (int j = Dim == 2 ? -shape.ghosts : 0; j < side_rows; ++j) {
+    const bool whole = Dim == 2 && (j < 0 || j >= shape.cells[Dim - 1]);
+    for (int c = 0; c < components; ++c) {
+      const double value = block.component(c)[first];
+      const double* row = block.component(c) + shape.at(0, j);
+      for (int i = -shape.ghosts; i < shape.cells[0] + shape.ghosts; ++i) {
+        if (!whole && i == 0) i = shape.cells[0];
+        if (row[i] != value) return false;
+      }
+    }
+  }
+  return true;
+}
+
+template <int Dim>
+std::string EulerSolver<Dim>::first_bad_cell(const std::vector<BodyPath<Dim>>& paths) const {
+  for (std::size_t g = 0; g < grids_.size(); ++g)
+    for (int t = 0; t < now_[g].tiles(); ++t) {
+      if (!computed_[g][static_cast<std::size_t>(t)]) continue;
+      std::string found;
+      const TileMask& mask = grids_[g].masks[static_cast<std::size_t>(t)];
+      for_each_cell<Dim>(grids_[g].shape, 0, [&](const Index<Dim>& c) {
+        const std::size_t k = grids_[g].shape.at(c);
+        if (!found.empty() || (mask.cut() && !mask.active[k])) return;
+        const Primitive<Dim> W = to_primitive(get<Dim>(next_[g].tile(t), k), setup_.gas.gamma);
+        if (W.density > 0 && W.pressure > 0 && std::isfinite(W.density) && std::isfinite(W.pressure)) return;
+        const Pose<Dim> pose = grids_[g].background() ? Pose<Dim>{} : paths[static_cast<std::size_t>(grids_[g].body)].end;
+        std::ostringstream text;
+        text << "grid " << grids_[g].name << ", cell (" << grids_[g].first_cell(t)[0] + c[0];
+        if constexpr (Dim == 2) text << ", " << grids_[g].first_cell(t)[1] + c[1];
+        text << ") at (" << cell_center(static_cast<int>(g), t, c, pose).transpose() << "): density " << W.density << ", pressure "
+             << W.pressure - setup_.gas.p_inf << ", velocity";
+        for (const double u : W.velocity) text << ' ' << u;
+        found = text.str();
+      });
+      if (!found.empty()) return found;
+    }
+  return "";
+}
+
+template class EulerSolver<1>;
+template class EulerSolver<2>;
+
+}  // namespace mortise

@@ -1,0 +1,91 @@
+// One MUSCL-Hancock step of the Euler equations on one tile (the only hot loop of the fluid solver).
+#pragma once
+
+#include <cstdint>
+
+#include "mortise/fluid/limiters.hpp"
+#include "mortise/fluid/state.hpp"
+#include "mortise/grids/forest/field.hpp"
+
+namespace mortise {
+
+enum class RiemannSolver { hllc, exact, hlle };
+
+struct StepOptions {
+  double gamma = 1.4;
+  Limiter limiter = Limiter::mc;
+  RiemannSolver riemann = RiemannSolver::hllc;
+  std::array<double, 4> van_albada_floor{};  // ε² = K h³ q_ref² for ρ, u, v, p̃ (Limiter::van_albada only)
+};
+
+struct StepResult {
+  double rate = 0;         // max over active cells of Σ_d (|u_d − w_d| + c)/h_d after the step; Δt = CFL / rate
+  bool admissible = true;  // ρ > 0 and p̃ > 0 (and finite) in all active cells after the step
+};
+
+/// A side of a tile that is a solid wall whose flux is (0, p n, p w·n), p given per face (shifted pressure p̃ ... the
+/// caller passes the physical p + p∞). Slopes normal to the wall are one-sided and unlimited.
+struct WallSide {
+  bool present = false;
+  const double* pressure = nullptr;  // p̃ per wall face, indexed by the cell along the wall (1D: one number)
+};
+
+/// Data of one tile for one step. Pointers are to the tile's component planes (`plane` doubles apart, see TileShape);
+/// ghost cells (2 layers, corners included) are filled. `next` and `now` do not overlap. Cells with active == 0 keep
+/// their value: next = now. Only active cells count in the result.
+template <int Dim>
+struct CartesianTile {
+  const TileShape<Dim>* shape;
+  const double* now;
+  double* next;
+  std::array<double, Dim> spacing;
+  const std::uint8_t* active = nullptr;  // indexed by shape->at(); nullptr: all cells active
+};
+template <int Dim>
+StepResult godunov_step(const CartesianTile<Dim>& tile, double dt, const StepOptions& options);
+
+/// 1D only: uniform cells that move together with velocity w; either end may be a wall (cell 0 / last cell).
+struct MovingLineTile {
+  CartesianTile<1> line;
+  double velocity = 0;   // w of all faces, constant over the step
+  WallSide left, right;
+};
+StepResult godunov_step(const MovingLineTile& tile, double dt, const StepOptions& options);
+
+/// 2D curvilinear cells, nodes moving on straight lines during the step. Node arrays are indexed by
+/// nodes->at(i, j), nodes = TileShape<2>({cells[0] + 1, cells[1] + 1}): node (i, j) is the lower left corner of cell
+/// (i, j), ghost nodes −2 … cells + 2 included. x, y: positions at t + Δt/2; wx, wy: velocities (nullptr both: at rest).
+/// South side (j = 0) may be a wall.
+struct CurvilinearTile {
+  const TileShape<2>* shape;
+  const TileShape<2>* nodes;
+  const double* now;
+  double* next;
+  const double *x, *y;
+  const double *wx, *wy;
+  const std::uint8_t* active = nullptr;
+  WallSide south;
+};
+StepResult godunov_step(const CurvilinearTile& tile, double dt, const StepOptions& options);
+
+/// max over active cells of Σ_d (|u_d − w_d| + c)/h_d of the state `now` (for the first Δt and after a restart);
+/// 0 / inadmissible reported as in StepResult. x, y at t, wx, wy as above.
+template <int Dim>
+StepResult wave_rate(const CartesianTile<Dim>& tile, const StepOptions& options);
+StepResult wave_rate(const MovingLineTile& tile, const StepOptions& options);
+StepResult wave_rate(const CurvilinearTile& tile, const StepOptions& options);
+
+/// Fluid state at the wall faces of the cells along a wall: extrapolated to the face at t, and at t + Δt/2 by the Hancock
+/// half step in the frame of the moving face. Where an extrapolated state has ρ or p̃ ≤ 0 the cell average is used.
+struct WallTrace2 {
+  Primitive<2> now, half;
+};
+struct WallTrace1 {
+  Primitive<1> now, half;
+};
+/// x, y here are node positions at time t. traces: cells[0] entries. Uses the limiter of the options along the wall.
+void wall_traces(const CurvilinearTile& tile, double dt, const StepOptions& options, WallTrace2* traces);
+/// Left or right end of a 1D tile.
+WallTrace1 wall_trace(const MovingLineTile& tile, bool right_end, double dt, const StepOptions& options);
+
+}  // namespace mortise

@@ -1,0 +1,24 @@
+// Steps on lines and Cartesian tiles with the exact Riemann solver.
+#include "mortise/fluid/cartesian_kernel.hpp"
+#include "mortise/fluid/exact_flux.hpp"
+#include "mortise/fluid/line_kernel.hpp"
+#include "mortise/fluid/step_kernels.hpp"
+
+namespace mortise {
+
+template <class Solver>
+StepResult line_step(const MovingLineTile& tile, double dt, const StepOptions& options) {
+  return with_limiter(options.limiter,
+                      [&]<Limiter limiter>() { return LineKernel<Solver, limiter>(tile, dt, options).run(); });
+}
+
+template <class Solver>
+StepResult cartesian_step(const CartesianTile<2>& tile, double dt, const StepOptions& options) {
+  return with_limiter(options.limiter,
+                      [&]<Limiter limiter>() { return CartesianKernel<Solver, limiter>(tile, dt, options).run(); });
+}
+
+template StepResult line_step<ExactRiemann>(const MovingLineTile&, double, const StepOptions&);
+template StepResult cartesian_step<ExactRiemann>(const CartesianTile<2>&, double, const StepOptions&);
+
+}  // namespace mortise

@@ -1,0 +1,160 @@
+// Hyperbolic grid growth, layer by layer, outward from a curve traversed clockwise (after Chan & Steger, Applied
+// Mathematics and Computation 51, 1992; here with an explicit step and implicit smoothing):
+//   x* = x + h n,              n the normal of the circle through a node and its two neighbours;
+//   y = (1 − ε δ²)⁻¹ x*,       but never inward; n is smoothed likewise, before;
+//   Δs = (1 − α δ²)⁻¹ Δs(y),   x_next = y(s): spacings along the curve diffuse towards equal arc length.
+// ε is α times the inward turn per node, spread along the curve: zero on convex curves. So circles give concentric
+// circles and convex outlines layers of thickness h, whatever the smoothing α.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "mortise/grids/core/error.hpp"
+#include "mortise/grids/geometry/arc_segment.hpp"
+#include "mortise/grids/geometry/body_grid.hpp"
+#include "mortise/grids/geometry/cgal_planar.hpp"
+#include "mortise/grids/geometry/cyclic_tridiagonal.hpp"
+
+namespace mortise {
+
+namespace {
+
+using Curve = std::vector<Point<2>>;
+
+constexpr double least_smoothing = 2;  // α, doubled until the grid is good
+constexpr double most_smoothing = 64;  // and given up beyond
+constexpr double good = 0.5;           // quality (below) that ends the search
+constexpr double concavity_reach = 6;  // diffusion number that spreads the sensed turn along the curve
+
+std::size_t before(std::size_t i, std::size_t n) { return i == 0 ? n - 1 : i - 1; }
+std::size_t after(std::size_t i, std::size_t n) { return i + 1 == n ? 0 : i + 1; }
+
+/// The frame of a closed curve at each of its points.
+struct CurveFrame {
+  Curve tangent;             // unit, of the circle through the point and its neighbours
+  std::vector<double> turn;  // radians, positive where the curve is concave (turns left)
+};
+
+CurveFrame frame_of(const Curve& x) {
+  const std::size_t n = x.size();
+  CurveFrame frame{Curve(n), std::vector<double>(n)};
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point<2> in = x[i] - x[before(i, n)], out = x[after(i, n)] - x[i];
+    const double a = in.norm(), b = out.norm();
+    frame.tangent[i] = (b / a * in + a / b * out).normalized();
+    frame.turn[i] = std::atan2(cross(in, out), in.dot(out));
+  }
+  return frame;
+}
+
+Point<2> outward(const Point<2>& tangent) { return {-tangent.y(), tangent.x()}; }
+
+/// (1 − ε δ²) x = right: no drift along a straight stretch of equal spacings, whatever ε does.
+template <class Value>
+std::vector<Value> diffused(const std::vector<double>& epsilon, std::vector<Value> right) {
+  const std::size_t n = right.size();
+  CyclicTridiagonal matrix(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    matrix.below[i] = matrix.above[i] = -epsilon[i];
+    matrix.diagonal[i] = 1 + 2 * epsilon[i];
+  }
+  return solve(matrix, std::move(right));
+}
+
+/// ε of a curve: the inward turn, spread over the neighbourhood; empty where the curve is convex throughout.
+std::vector<double> sensed_concavity(const CurveFrame& frame, double smoothing) {
+  const std::size_t n = frame.turn.size();
+  std::vector<double> sensor(n);
+  for (std::size_t i = 0; i < n; ++i) sensor[i] = smoothing * std::max(0.0, frame.turn[i] - 1e-6);
+  if (std::all_of(sensor.begin(), sensor.end(), [](double s) { return s == 0; })) return {};
+  return diffused(std::vector<double>(n, concavity_reach), std::move(sensor));
+}
+
+/// One step outward along the normals, both smoothed where ε > 0.
+Curve stepped(const Curve& x, double spacing, double smoothing) {
+  const std::size_t n = x.size();
+  const CurveFrame frame = frame_of(x);
+  Curve normal(n), next(n);
+  for (std::size_t i = 0; i < n; ++i) normal[i] = outward(frame.tangent[i]);
+  const std::vector<double> epsilon = sensed_concavity(frame, smoothing);
+  if (!epsilon.empty()) normal = diffused(epsilon, std::move(normal));
+  for (std::size_t i = 0; i < n; ++i) next[i] = x[i] + spacing * normal[i].normalized();
+  if (epsilon.empty()) return next;
+  const Curve smoothed = diffused(epsilon, next);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point<2> shift = smoothed[i] - next[i], unsmoothed = outward(frame.tangent[i]);
+    next[i] += shift - std::min(0.0, shift.dot(unsmoothed)) * unsmoothed;
+  }
+  return next;
+}
+
+/// Slides points along the curve so that neighbouring spacings become more nearly equal.
+Curve redistributed(const Curve& x, double alpha) {
+  const std::size_t n = x.size();
+  const Curve tangent = frame_of(x).tangent;
+  std::vector<ArcSegment> segments;
+  std::vector<double> length(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    segments.emplace_back(x[i], tangent[i], x[after(i, n)], tangent[after(i, n)]);
+    length[i] = segments[i].length();
+  }
+  const std::vector<double> even = diffused(std::vector<double>(n, alpha), length);
+  Curve moved(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    double shift = alpha * (even[i] - even[before(i, n)]);
+    std::size_t k = i;
+    for (; shift < 0; shift += length[k]) k = before(k, n);
+    for (; shift > length[k]; k = after(k, n)) shift -= length[k];
+    moved[i] = segments[k].position(segments[k].parameter(shift / length[k]));
+  }
+  return moved;
+}
+
+GrownGrid march(const Outline& outline, const GrowthOptions& options, double smoothing) {
+  GrownGrid grid{.along = std::max(16, 4 * static_cast<int>(std::lround(outline.perimeter() / options.spacing / 4))),
+                 .layers = options.layers,
+                 .spacing = options.spacing,
+                 .nodes = {}};
+  Curve layer;
+  for (int i = 0; i < grid.along; ++i) layer.push_back(outline.at(-outline.perimeter() * i / grid.along));
+  grid.nodes = layer;
+  for (int j = 1; j <= grid.layers; ++j) {
+    layer = redistributed(stepped(layer, options.spacing, smoothing), smoothing);
+    grid.nodes.insert(grid.nodes.end(), layer.begin(), layer.end());
+  }
+  return grid;
+}
+
+/// The worse of the worst corner ratio and the smallest cell size relative to the first layer's; ≤ 0: a cell is folded,
+/// or the outermost layer meets itself across a bay.
+double quality(const GrownGrid& grid, double perimeter) {
+  const GridQuality worst = check(grid);
+  if (worst.min_corner_ratio > 0 && !is_simple_polygon(Curve(grid.nodes.end() - grid.along, grid.nodes.end())))
+    return -1;
+  return std::min(worst.min_corner_ratio, worst.min_size / std::min(grid.spacing, perimeter / grid.along));
+}
+
+}  // namespace
+
+GrownGrid grow(const Outline& outline, const GrowthOptions& options) {
+  if (!(options.spacing > 0) || !std::isfinite(options.spacing))
+    throw InputError("the grid spacing must be positive, not " + std::to_string(options.spacing));
+  if (options.layers < 3)
+    throw InputError("a body grid needs at least 3 layers, not " + std::to_string(options.layers));
+  GrownGrid best;
+  double best_quality = 0;
+  for (double smoothing = least_smoothing; smoothing <= most_smoothing && best_quality < good; smoothing *= 2) {
+    GrownGrid grid = march(outline, options, smoothing);
+    const double grid_quality = quality(grid, outline.perimeter());
+    if (!(grid_quality > best_quality)) continue;
+    best = std::move(grid);
+    best_quality = grid_quality;
+  }
+  if (best_quality <= 0)
+    throw InputError(
+        "a grid of " + std::to_string(options.layers) + " layers of thickness " + std::to_string(options.spacing) +
+        " folds or meets itself on this outline: use fewer layers, a finer spacing or rounder inward corners");
+  return best;
+}
+
+}  // namespace mortise

@@ -1,0 +1,94 @@
+// Interpolation from donors: tensor-product quadratics in logical coordinates, third-order accurate, clipped to the range of the
+// stencil so that no new extrema appear at shocks. Included by overlap.hpp.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+namespace mortise {
+
+/// Lagrange weights at r of the quadratic through −1, 0, 1.
+inline std::array<double, 3> quadratic_weights(double r) { return {0.5 * r * (r - 1), (1 - r) * (1 + r), 0.5 * r * (r + 1)}; }
+
+/// The donor's value in decoded variables.
+template <int Components, int Dim, class Decode>
+std::array<double, Components> interpolate(const Field<Dim>& field, const Donor<Dim>& donor, Decode&& decode) {
+  const TileBlock& block = field.tile(donor.tile);
+  std::array<double, Components> sum{}, low, high, U, W;
+  low.fill(std::numeric_limits<double>::infinity());
+  high.fill(-std::numeric_limits<double>::infinity());
+  Index<Dim> first, last;
+  first.fill(-1);
+  last.fill(2);
+  for_each_index<Dim>(first, last, [&](const Index<Dim>& k) {
+    std::ptrdiff_t cell = static_cast<std::ptrdiff_t>(donor.center) + k[0];
+    double weight = donor.weights[0][static_cast<std::size_t>(k[0] + 1)];
+    if constexpr (Dim == 2) {
+      cell += static_cast<std::ptrdiff_t>(k[1]) * field.shape().stride;
+      weight *= donor.weights[1][static_cast<std::size_t>(k[1] + 1)];
+    }
+    for (int c = 0; c < Components; ++c) U[static_cast<std::size_t>(c)] = block.component(c)[cell];
+    decode(U.data(), W.data());
+    for (std::size_t c = 0; c < Components; ++c) {
+      sum[c] += weight * W[c];
+      low[c] = std::min(low[c], W[c]);
+      high[c] = std::max(high[c], W[c]);
+    }
+  });
+  for (std::size_t c = 0; c < Components; ++c) sum[c] = std::clamp(sum[c], low[c], high[c]);
+  return sum;
+}
+
+template <int Dim>
+template <int Components, class Decode, class Encode>
+void Overlap<Dim>::fill(std::vector<Field<Dim>>& fields, Decode&& decode, Encode&& encode) const {
+  using Value = std::array<double, Components>;
+  std::vector<std::vector<Value>> outgoing(donors_.size());
+  for (std::size_t r = 0; r < donors_.size(); ++r) {
+    outgoing[r].reserve(donors_[r].size());
+    for (const Donor<Dim>& donor : donors_[r])
+      outgoing[r].push_back(interpolate<Components>(fields[static_cast<std::size_t>(donor.grid)], donor, decode));
+  }
+  const std::vector<std::vector<Value>> incoming = comm_.exchange(outgoing);
+  Value U;
+  for (std::size_t r = 0; r < incoming.size(); ++r)
+    for (std::size_t k = 0; k < incoming[r].size(); ++k) {
+      const Receiver& receiver = receivers_[static_cast<std::size_t>(accepted_[r][k])];
+      encode(incoming[r][k].data(), U.data());
+      TileBlock& block = fields[static_cast<std::size_t>(receiver.grid)].tile(receiver.tile);
+      for (int c = 0; c < Components; ++c) block.component(c)[receiver.cell] = U[static_cast<std::size_t>(c)];
+    }
+}
+
+template <int Dim>
+template <int Components, class Decode>
+std::vector<std::array<double, Components>> Overlap<Dim>::sample(const std::vector<Field<Dim>>& fields,
+                                                                 std::span<const Point<Dim>> points, Decode&& decode) const {
+  struct Found {
+    std::array<double, Components> value;
+    int point, rank_of_choice;
+  };
+  std::vector<Found> mine;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const std::vector<Candidate> choices = candidates(-1, points[p]);
+    for (std::size_t k = 0; k < choices.size(); ++k) {
+      Donor<Dim> donor;
+      if (!accept(choices[k], donor)) continue;
+      mine.push_back({interpolate<Components>(fields[static_cast<std::size_t>(donor.grid)], donor, decode), static_cast<int>(p),
+                      static_cast<int>(k)});
+      break;
+    }
+  }
+  std::vector<std::array<double, Components>> values(points.size());
+  for (auto& value : values) value.fill(std::numeric_limits<double>::quiet_NaN());
+  std::vector<int> best(points.size(), std::numeric_limits<int>::max());
+  for (const Found& found : comm_.gather_all(mine)) {
+    const auto p = static_cast<std::size_t>(found.point);
+    if (found.rank_of_choice >= best[p]) continue;
+    best[p] = found.rank_of_choice;
+    values[p] = found.value;
+  }
+  return values;
+}
+
+}  // namespace mortise

@@ -1,0 +1,149 @@
+// Overlapping grids: which cells of which component grid are advanced, and where the others get their values.
+//
+// The plane is shared out by distance. Let d_b be the distance from body b and d_w that from the edge of the domain.
+// A point belongs to the nearest body if it is closer than the body's grid reaches, otherwise to the background; next to
+// the edge of the domain (d_w ≤ d_b) it belongs to the background. Every grid is active on its share and
+// `margin` beyond it (body grids against each other), or `overlap` cells (background under a body grid). Cells that an active
+// cell's stencil |di| + |dj| ≤ 2 needs and that are not active are the fringe; all others are holes.
+//
+// Fringe cells, and cells that have become active since the last cut (exposed cells), take values by interpolation,
+// biquadratic in the donor's logical coordinates, from donor stencils of active, not exposed cells, clipped to the
+// stencil's range. A cell without such a donor is an orphan. In gaps too narrow for two full stencils a donor may be clamped to the
+// wall row of the neighbouring body's grid; such cells are counted as `tight`.
+//
+// Everything here is a function of the poses alone, so the answer does not depend on the number of ranks.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mortise/grids/core/parallel.hpp"
+#include "mortise/grids/geometry/frame.hpp"
+#include "mortise/grids/geometry/line_atlas.hpp"
+#include "mortise/grids/overlap/component_grid.hpp"
+
+namespace mortise {
+
+struct OverlapOptions {
+  double overlap = 3;  // cells by which background and body grid are both active
+  double margin = 1;   // cells by which the grids of two close bodies are both active on each other's side
+};
+
+/// Totals over all ranks since the last cut.
+struct OverlapReport {
+  std::int64_t fringe = 0;   // interpolated cells
+  std::int64_t holes = 0;    // cells neither active nor fringe
+  std::int64_t exposed = 0;  // cells that became active at the last cut
+  std::int64_t tight = 0;    // fringe or exposed cells with a clamped donor
+  std::int64_t orphans = 0;  // cells without a donor
+  std::string first_orphan;  // grid, index and position, when there is one on this rank
+};
+
+template <int Dim>
+struct OverlapBody {
+  std::shared_ptr<const Atlas<Dim>> atlas;
+  double spacing = 0;  // of the body's grids
+  int layers = 0;      // of the body's grids, the outer two of which are fringe
+};
+
+/// Where a value is interpolated from: nine (1D: three) cells around `center` of a local tile.
+template <int Dim>
+struct Donor {
+  int grid = 0, tile = 0;
+  std::size_t center = 0;                                // TileShape offset of the stencil's middle cell
+  std::array<std::array<double, 3>, Dim> weights{};      // Lagrange weights along each direction
+};
+
+/// A local cell that receives a value.
+struct Receiver {
+  int grid = 0, tile = 0;
+  std::size_t cell = 0;  // TileShape offset
+  bool exposed = false;
+};
+
+template <int Dim>
+class Overlap {
+ public:
+  Overlap(const Communicator& comm, std::vector<ComponentGrid<Dim>>& grids, std::vector<OverlapBody<Dim>> bodies, Box<Dim> domain,
+          OverlapOptions options);
+
+  /// Cuts holes and finds donors for bodies at `poses`, writing the masks of the grids. `fresh`: all cells hold valid
+  /// values (initial state, restart), none counts as exposed. Returns false, having done nothing, when no pose changed and
+  /// no cell was exposed last time. Collective.
+  bool update(const std::vector<Pose<Dim>>& poses, bool fresh);
+
+  /// Interpolates into fringe and exposed cells. `fields` holds one field per component grid with ghosts filled from
+  /// neighbouring tiles. `decode(U, W)` turns the components of one cell into the variables to interpolate, `encode(W, U)` back. Collective.
+  template <int Components, class Decode, class Encode>
+  void fill(std::vector<Field<Dim>>& fields, Decode&& decode, Encode&& encode) const;
+
+  /// Values at arbitrary points, decoded; a point inside a body or outside the domain gives NaN. Collective; all ranks pass the
+  /// same points and get all values.
+  template <int Components, class Decode>
+  std::vector<std::array<double, Components>> sample(const std::vector<Field<Dim>>& fields, std::span<const Point<Dim>> points,
+                                                     Decode&& decode) const;
+
+  const OverlapReport& report() const { return report_; }
+  const std::vector<ComponentGrid<Dim>>& grids() const { return grids_; }
+
+  /// Smallest gap between two bodies that their grids resolve with full stencils, in cells.
+  double resolvable_gap() const { return 2 * (options_.margin + 2.5); }
+
+  /// Share of point x that a cell of `grid` stands for when cells of overlapping grids are summed: a smooth partition of unity.
+  double share(int grid, const Point<Dim>& x) const;
+
+ private:
+  struct Candidate {  // a grid that may hold a donor
+    Index<Dim> center{};               // grid-wide index of the middle of its stencil
+    std::array<double, Dim> offset{};  // of the point from there, in cells
+    int grid = -1;
+    bool tight = false;  // clamped to the wall row
+  };
+
+  void cut_background(ComponentGrid<Dim>& grid);
+  void cut_body_grid(ComponentGrid<Dim>& grid);
+  void mark_fringe(ComponentGrid<Dim>& grid, int tile);
+  void begin_tile(ComponentGrid<Dim>& grid, int tile, std::uint8_t active);
+  double edge_distance(const Point<Dim>& x) const;
+  bool wanted_by_background(const Point<Dim>& x) const;
+  bool wanted_by_body(int body, double own_distance, const Point<Dim>& x) const;
+  bool covers_background(const OverlapBody<Dim>& body, double distance, double edge) const;
+
+  void collect_receivers();
+  void find_donors();
+  std::vector<Candidate> candidates(int own_grid, const Point<Dim>& x) const;
+  bool accept(const Candidate& request, Donor<Dim>& donor) const;
+  bool stencil_valid(int grid, int tile, const Index<Dim>& center) const;
+  bool on_background(const Point<Dim>& x, Candidate& found) const;
+  Neighbor owner(const Candidate& candidate) const;
+  void describe_orphan(const Receiver& receiver);
+  int component(int body, const Point<Dim>& X) const;
+  Point<Dim> position(const Receiver& receiver) const;
+  void count();
+
+  Communicator comm_;
+  std::vector<ComponentGrid<Dim>>& grids_;
+  std::vector<OverlapBody<Dim>> bodies_;
+  Box<Dim> domain_;
+  OverlapOptions options_;
+  std::array<bool, Dim> periodic_{};
+
+  std::vector<Pose<Dim>> poses_;
+  std::vector<Frame<Dim>> frames_;
+  std::vector<Box<Dim>> reaches_;                        // of the bodies, in space
+  std::vector<std::vector<Point<Dim>>> body_centers_;    // per grid: cell centres in the body's frame (body grids)
+  std::vector<std::vector<double>> own_distances_;       // per grid: distance of the cell centres from the own body
+  std::vector<std::vector<std::vector<std::uint8_t>>> previous_;  // per grid and tile: `active` before the last cut
+  bool exposed_last_ = false;
+
+  std::vector<Receiver> receivers_;
+  std::vector<std::vector<int>> accepted_;               // per rank: receivers served by it, in the order of its donors
+  std::vector<std::vector<Donor<Dim>>> donors_;          // per rank: donors on this rank that serve it
+  OverlapReport report_;
+};
+
+}  // namespace mortise
+
+#include "mortise/grids/overlap/interpolation.hpp"
