@@ -108,7 +108,10 @@ class ContactSolver {
     for (const std::size_t c : list) {
       std::vector<double>& g = G.emplace_back(static_cast<std::size_t>(dofs) * roots_.size(), 0.0);
       const auto set_block = [&](int body, double sign) {
-        const BodyVector<Dim> block = sign * root_of(body).transpose() * direction(body, contacts_[c]);
+        const BodyVector<Dim> e = direction(body, contacts_[c]);
+        const BodyVector<Dim> block = sign * root_of(body).transpose() * e;
+        const auto& W = bodies_[static_cast<std::size_t>(body)].inverse_mass;
+        if (block.norm() <= 1e-10 * W.diagonal().cwiseMax(0).cwiseSqrt().cwiseProduct(e).norm()) return;  // immovable
         std::ranges::copy(block, g.begin() + row_[static_cast<std::size_t>(body)]);
       };
       set_block(contacts_[c].a, -1);

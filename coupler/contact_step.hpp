@@ -35,7 +35,7 @@ using GapSearch = std::function<std::vector<ContactPoint<Dim>>(double within)>;
 template <int Dim>
 struct ContactStep {
   std::vector<BodyMotion<Dim>> motions;  // per body
-  std::vector<BodyVector<Dim>> impulse;       // of all contacts on each body; with mass, M Δy = Δt (F + F_ext) + impulse
+  std::vector<BodyVector<Dim>> impulse;  // of all contacts on each body; with mass, M Δy = Δt (F + F_ext) + impulse
   int count = 0;                         // contacts with an impulse
   std::vector<ContactPoint<Dim>> unresolved;  // squeezed by prescribed motions: no impulse can part them
 };

@@ -11,6 +11,7 @@ namespace {
 
 using Vector = std::vector<double>;
 
+constexpr double round_off = 1e-12;  // relative: smaller parts of a column count as zero
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double dot(const Vector& a, const Vector& b) { return std::inner_product(a.begin(), a.end(), b.begin(), 0.0); }
@@ -87,7 +88,7 @@ class ActiveSet {
 
   /// The most violated constraint that is neither active nor given up; −1: none is violated beyond round-off.
   int most_violated() const {
-    constexpr double round_off = 16 * std::numeric_limits<double>::epsilon();
+    constexpr double epsilon = 16 * std::numeric_limits<double>::epsilon();
     double largest = 0;
     for (const double value : h_) largest = std::max(largest, std::abs(value));
     int worst = -1;
@@ -95,7 +96,7 @@ class ActiveSet {
     for (int j = 0; j < static_cast<int>(h_.size()); ++j) {
       if (given_up_[static_cast<std::size_t>(j)] || std::ranges::count(active_, j)) continue;
       const double here = violation(j);
-      const double negligible = std::max(tolerance_, round_off * (largest + norm(column(j)) * norm(x_)));
+      const double negligible = std::max(tolerance_, epsilon * (largest + norm(column(j)) * norm(x_)));
       if (here <= negligible || here <= worst_violation) continue;
       worst = j;
       worst_violation = here;
@@ -111,8 +112,8 @@ class ActiveSet {
       const Factors factors(columns_, active_);
       Vector direction = column(j);
       const Vector exchange = factors.solve(factors.split(direction));
-      const auto [drop, drop_step] = first_to_drop(exchange);
-      const bool independent = norm(direction) > 1e-12 * norm(column(j));
+      const auto [drop, drop_step] = first_to_drop(exchange, j);
+      const bool independent = norm(direction) > round_off * norm(column(j));
       const double full_step = independent ? std::max(0.0, violation(j)) / dot(direction, direction) : infinity;
       const double step = std::min(drop_step, full_step);
       if (step == infinity) {
@@ -134,11 +135,14 @@ class ActiveSet {
     return true;
   }
 
-  /// Which multiplier reaches zero first along −exchange, and after what step; infinity: none does.
-  std::pair<std::size_t, double> first_to_drop(const Vector& exchange) const {
+  /// Which multiplier reaches zero first when constraint j comes in, and after what step; infinity: none does.
+  std::pair<std::size_t, double> first_to_drop(const Vector& exchange, int j) const {
     std::pair<std::size_t, double> first{0, infinity};
-    for (std::size_t k = 0; k < exchange.size(); ++k)
-      if (exchange[k] > 0 && multipliers_[k] / exchange[k] < first.second) first = {k, multipliers_[k] / exchange[k]};
+    for (std::size_t k = 0; k < exchange.size(); ++k) {
+      if (exchange[k] * norm(column(active_[k])) <= round_off * norm(column(j))) continue;
+      const double step = multipliers_[k] / exchange[k];
+      if (step < first.second) first = {k, step};
+    }
     return first;
   }
 

@@ -133,9 +133,9 @@ typename Simulation<Dim>::Motion Simulation<Dim>::move_bodies(double dt) {
       }
     }
     const Pose<Dim> middle{0.5 * (predicted[b].start.position + predicted[b].end.position), 0.5 * (predicted[b].start.angle + predicted[b].end.angle)};
-    const std::vector<WallFace<Dim>> faces = wall_faces(b, traces[b], middle);
-    const bool coupled = setup_.fluid.bodies[b].wall;
-    const BodyMotion<Dim> moved = coupled ? scheme_->advance(step, faces, law) : scheme_->advance(step, {}, law);
+    std::vector<WallFace<Dim>> faces;  // none where the gas passes through
+    if (setup_.fluid.bodies[b].wall) faces = wall_faces(b, traces[b], middle);
+    const BodyMotion<Dim> moved = scheme_->advance(step, faces, law);
     motion.end.push_back(moved.velocity);
     motion.mean.push_back(moved.mean);
     motion.pressure.push_back(moved.pressure);

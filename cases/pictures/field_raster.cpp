@@ -179,7 +179,7 @@ void FieldRaster::add_cell(const Sampler& sampler, int i, int j) {
   }
   constexpr double margin = 1e-7;  // so that no pixel is lost between two cells
   const auto first = [](double low) {
-    return std::max(0, static_cast<int>(std::ceil(std::max(low, -1.0) - 0.5 - margin)));
+    return std::max(0, static_cast<int>(std::ceil(std::clamp(low, -1.0, 1e6) - 0.5 - margin)));
   };
   const auto last = [](double high, int n) {
     return std::min(n - 1, static_cast<int>(std::floor(std::min<double>(high, n) - 0.5 + margin)));

@@ -132,10 +132,12 @@ void Overlap<Dim>::cut_background(ComponentGrid<Dim>& grid) {
       Index<Dim> low, high;  // cells of the tile (with ghosts) within the body's reach
       for (std::size_t d = 0; d < Dim; ++d) {
         const int k = static_cast<int>(d);
-        low[d] = static_cast<int>(std::floor((reaches_[b].low[k] - grid.origin[k]) / grid.spacing[k])) - first[d];
-        high[d] = static_cast<int>(std::ceil((reaches_[b].high[k] - grid.origin[k]) / grid.spacing[k])) - first[d] + 1;
-        low[d] = std::max(low[d], -grid.shape.ghosts);
-        high[d] = std::min(high[d], grid.shape.cells[d] + grid.shape.ghosts);
+        const auto cell_at = [&](double x) {  // x may be infinite
+          const double cell = std::floor((x - grid.origin[k]) / grid.spacing[k]) - first[d];
+          return static_cast<int>(std::clamp<double>(cell, -grid.shape.ghosts, grid.shape.cells[d] + grid.shape.ghosts));
+        };
+        low[d] = cell_at(reaches_[b].low[k]);
+        high[d] = std::min(cell_at(reaches_[b].high[k]) + 2, grid.shape.cells[d] + grid.shape.ghosts);
       }
       for_each_index<Dim>(low, high, [&](const Index<Dim>& c) {
         Index<Dim> global = c;

@@ -27,13 +27,21 @@ bool locate(const LineAtlas& atlas, int side, const Point<1>& X, bool tight, Ind
   return true;
 }
 
-/// Offsets of stencil middles from the nearest cell, the nearest first.
+/// All offsets with entries −range … range, the nearest first.
 template <int Dim>
-std::vector<Index<Dim>> stencil_shifts() {
-  if constexpr (Dim == 1)
-    return {{0}, {1}, {-1}};
-  else
-    return {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, 1}, {1, -1}, {-1, -1}};
+std::vector<Index<Dim>> nearest_first(int range) {
+  std::vector<Index<Dim>> offsets;
+  Index<Dim> low, high;
+  low.fill(-range);
+  high.fill(range + 1);
+  for_each_index<Dim>(low, high, [&](const Index<Dim>& c) { offsets.push_back(c); });
+  const auto length = [](const Index<Dim>& c) {
+    int sum = 0;
+    for (const int k : c) sum += k * k;
+    return sum;
+  };
+  std::stable_sort(offsets.begin(), offsets.end(), [&](const Index<Dim>& a, const Index<Dim>& b) { return length(a) < length(b); });
+  return offsets;
 }
 
 }  // namespace
@@ -95,9 +103,9 @@ std::vector<typename Overlap<Dim>::Candidate> Overlap<Dim>::candidates(int own_g
   std::sort(near.begin(), near.end());
 
   std::vector<Candidate> found;
-  const auto add_background = [&] {
+  const auto add_background = [&](bool tight) {
     if (own_grid >= 0 && grids_[static_cast<std::size_t>(own_grid)].background()) return;
-    Candidate candidate;
+    Candidate candidate{.center = {}, .offset = {}, .grid = 0, .tight = tight};
     if (on_background(x, candidate)) found.push_back(candidate);
   };
   const auto add_bodies = [&](bool tight) {
@@ -113,18 +121,27 @@ std::vector<typename Overlap<Dim>::Candidate> Overlap<Dim>::candidates(int own_g
   };
   const bool background_first = own_grid != 0 && (near.empty() || wanted_by_background(x));
   const bool inside_a_body = !near.empty() && near.front().first <= 0;
-  if (background_first) add_background();
+  if (background_first) add_background(false);
   if (!inside_a_body) add_bodies(false);
-  if (!background_first) add_background();
-  if (own_grid >= 0) add_bodies(true);
+  if (!background_first) add_background(false);
+  if (own_grid >= 0) {
+    add_bodies(true);
+    add_background(true);
+  }
   return found;
+}
+
+/// Active now and before: a cell that holds a value of the present time.
+template <int Dim>
+bool Overlap<Dim>::usable(int g, int tile, std::size_t cell) const {
+  const TileMask& mask = grids_[static_cast<std::size_t>(g)].masks[static_cast<std::size_t>(tile)];
+  const std::vector<std::uint8_t>& before = previous_[static_cast<std::size_t>(g)][static_cast<std::size_t>(tile)];
+  return (mask.active.empty() || mask.active[cell]) && (before.empty() || before[cell]);
 }
 
 template <int Dim>
 bool Overlap<Dim>::stencil_valid(int g, int tile, const Index<Dim>& center) const {
   const ComponentGrid<Dim>& grid = grids_[static_cast<std::size_t>(g)];
-  const TileMask& mask = grid.masks[static_cast<std::size_t>(tile)];
-  const std::vector<std::uint8_t>& before = previous_[static_cast<std::size_t>(g)][static_cast<std::size_t>(tile)];
   const Index<Dim> first = grid.first_cell(tile);
   bool valid = true;
   Index<Dim> low = center, high = center;
@@ -134,22 +151,21 @@ bool Overlap<Dim>::stencil_valid(int g, int tile, const Index<Dim>& center) cons
     if (!grid.periodic[d] && (low[d] + first[d] < 0 || high[d] + first[d] > grid.cells[d])) return false;
   }
   for_each_index<Dim>(low, high, [&](const Index<Dim>& c) {
-    const std::size_t k = grid.shape.at(c);
-    valid = valid && (mask.active.empty() || mask.active[k]) && (before.empty() || before[k]);
+    valid = valid && usable(g, tile, grid.shape.at(c));
   });
   return valid;
 }
 
-/// The cell of the background around x; false outside it.
+/// The cell of the background around x; false outside it, or the nearest cell where a donor of lower order will do.
 template <int Dim>
 bool Overlap<Dim>::on_background(const Point<Dim>& x, Candidate& found) const {
   const ComponentGrid<Dim>& grid = grids_.front();
-  found.grid = 0;
   for (std::size_t d = 0; d < Dim; ++d) {
     const int k = static_cast<int>(d), n = grid.cells[d];
     double logical = (x[k] - grid.origin[k]) / grid.spacing[k] - 0.5;
     if (grid.periodic[d]) logical -= n * std::floor((logical + 0.5) / n);
-    if (logical < -0.5 || logical > n - 0.5) return false;
+    if (!found.tight && (logical < -0.5 || logical > n - 0.5)) return false;
+    if (!grid.periodic[d]) logical = std::clamp(logical, -0.5, n - 0.5);
     found.center[d] = std::clamp(static_cast<int>(std::lround(logical)), 0, n - 1);
     found.offset[d] = logical - found.center[d];
   }
@@ -172,13 +188,37 @@ bool Overlap<Dim>::accept(const Candidate& request, Donor<Dim>& donor) const {
   if (at.rank != comm_.rank()) return false;
   Index<Dim> middle = request.center;
   for (std::size_t d = 0; d < Dim; ++d) middle[d] %= grid.shape.cells[d];
-  static const std::vector<Index<Dim>> shifts = stencil_shifts<Dim>();
+  donor.grid = request.grid;
+  donor.tile = at.local;
+  static const std::vector<Index<Dim>> shifts = nearest_first<Dim>(1);
   for (const Index<Dim>& shift : shifts) {
     Index<Dim> center = middle;
     for (std::size_t d = 0; d < Dim; ++d) center[d] += shift[d];
     if (!stencil_valid(request.grid, at.local, center)) continue;
-    donor = {request.grid, at.local, grid.shape.at(center), {}};
+    donor.center = grid.shape.at(center);
     for (std::size_t d = 0; d < Dim; ++d) donor.weights[d] = quadratic_weights(request.offset[d] - shift[d]);
+    return true;
+  }
+  return request.tight && accept_reduced(request, at.local, middle, donor);
+}
+
+/// For pockets where no stencil of nine fits: the value of the nearest usable cell. First-order, counted as tight.
+template <int Dim>
+bool Overlap<Dim>::accept_reduced(const Candidate& request, int tile, const Index<Dim>& middle, Donor<Dim>& donor) const {
+  static const std::vector<Index<Dim>> shifts = nearest_first<Dim>(2);
+  const ComponentGrid<Dim>& grid = grids_[static_cast<std::size_t>(request.grid)];
+  const Index<Dim> first = grid.first_cell(tile);
+  for (const Index<Dim>& shift : shifts) {
+    Index<Dim> cell = middle;
+    bool inside = true;
+    for (std::size_t d = 0; d < Dim; ++d) {
+      cell[d] += shift[d];
+      inside = inside && cell[d] >= 1 - grid.shape.ghosts && cell[d] < grid.shape.cells[d] + grid.shape.ghosts - 1;
+      inside = inside && (grid.periodic[d] || (cell[d] + first[d] >= 0 && cell[d] + first[d] < grid.cells[d]));
+    }
+    if (!inside || !usable(request.grid, tile, grid.shape.at(cell))) continue;
+    donor.center = grid.shape.at(cell);
+    for (std::size_t d = 0; d < Dim; ++d) donor.weights[d] = {0, 1, 0};
     return true;
   }
   return false;

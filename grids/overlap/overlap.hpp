@@ -8,8 +8,9 @@
 //
 // Fringe cells, and cells that have become active since the last cut (exposed cells), take values by interpolation,
 // biquadratic in the donor's logical coordinates, from donor stencils of active, not exposed cells, clipped to the
-// stencil's range. A cell without such a donor is an orphan. In gaps too narrow for two full stencils a donor may be clamped to the
-// wall row of the neighbouring body's grid; such cells are counted as `tight`.
+// stencil's range. A cell without such a donor is an orphan. Where no such stencil exists (pockets between
+// three grids, gaps too narrow for two full stencils) the donor may be clamped to the wall row of the neighbouring body's grid, or
+// be a single cell; such cells are counted as `tight`.
 //
 // Everything here is a function of the poses alone, so the answer does not depend on the number of ranks.
 #pragma once
@@ -29,6 +30,7 @@ namespace mortise {
 struct OverlapOptions {
   double overlap = 3;  // cells by which background and body grid are both active
   double margin = 1;   // cells by which the grids of two close bodies are both active on each other's side
+  double least_gap = 3;  // cells between bodies, or a body and the edge of the domain, below which orphans may occur
 };
 
 /// Totals over all ranks since the last cut.
@@ -36,7 +38,7 @@ struct OverlapReport {
   std::int64_t fringe = 0;   // interpolated cells
   std::int64_t holes = 0;    // cells neither active nor fringe
   std::int64_t exposed = 0;  // cells that became active at the last cut
-  std::int64_t tight = 0;    // fringe or exposed cells with a clamped donor
+  std::int64_t tight = 0;    // fringe or exposed cells with a donor of lower order
   std::int64_t orphans = 0;  // cells without a donor
   std::string first_orphan;  // grid, index and position, when there is one on this rank
 };
@@ -88,9 +90,6 @@ class Overlap {
   const OverlapReport& report() const { return report_; }
   const std::vector<ComponentGrid<Dim>>& grids() const { return grids_; }
 
-  /// Smallest gap between two bodies that their grids resolve with full stencils, in cells.
-  double resolvable_gap() const { return 2 * (options_.margin + 2.5); }
-
   /// Share of point x that a cell of `grid` stands for when cells of overlapping grids are summed: a smooth partition of unity.
   double share(int grid, const Point<Dim>& x) const;
 
@@ -99,7 +98,7 @@ class Overlap {
     Index<Dim> center{};               // grid-wide index of the middle of its stencil
     std::array<double, Dim> offset{};  // of the point from there, in cells
     int grid = -1;
-    bool tight = false;  // clamped to the wall row
+    bool tight = false;                // a donor of lower order will do
   };
 
   void cut_background(ComponentGrid<Dim>& grid);
@@ -115,6 +114,8 @@ class Overlap {
   void find_donors();
   std::vector<Candidate> candidates(int own_grid, const Point<Dim>& x) const;
   bool accept(const Candidate& request, Donor<Dim>& donor) const;
+  bool accept_reduced(const Candidate& request, int tile, const Index<Dim>& middle, Donor<Dim>& donor) const;
+  bool usable(int grid, int tile, std::size_t cell) const;
   bool stencil_valid(int grid, int tile, const Index<Dim>& center) const;
   bool on_background(const Point<Dim>& x, Candidate& found) const;
   Neighbor owner(const Candidate& candidate) const;

@@ -63,8 +63,8 @@ TEST(FieldRaster, GridsOutsideTheWindowAreHarmless) {
   GridSnapshot far = test::annulus(), vast = test::annulus();
   for (double& x : far.x) x += 100;
   for (std::size_t k = 0; k < vast.x.size(); ++k) {
-    vast.x[k] *= 1e7;
-    vast.y[k] *= 1e7;
+    vast.x[k] *= 1e12;
+    vast.y[k] *= 1e12;
   }
   const std::vector<double> values(far.cell_count(), 1.0);
   FieldRaster raster(axes);
