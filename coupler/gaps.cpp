@@ -16,8 +16,8 @@ ContactPoint<2> gap_between(const std::vector<GapBody<2>>& bodies, int a, int b)
   const auto &A = bodies[static_cast<std::size_t>(a)], &B = bodies[static_cast<std::size_t>(b)];
   Point<2> on_a, on_b;
   const double gap = outline_distance(*A.outline, A.pose, *B.outline, B.pose, &on_a, &on_b);
-  Point<2> normal = gap > 0 ? Point<2>(on_b - on_a) : Point<2>(B.pose.position - A.pose.position);
-  return {a, b, normal.normalized(), 0.5 * (on_a + on_b), gap};
+  const Point<2> apart = gap != 0 ? Point<2>((on_b - on_a) / gap) : Point<2>(B.pose.position - A.pose.position);
+  return {a, b, apart.normalized(), 0.5 * (on_a + on_b), gap};
 }
 
 /// The point of the body that is farthest along `direction`.

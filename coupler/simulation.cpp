@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mortise/coupler/gaps.hpp"
 #include "mortise/fluid/wall_pressure.hpp"
 #include "mortise/grids/core/error.hpp"
 
@@ -110,40 +111,60 @@ std::vector<WallFace<Dim>> Simulation<Dim>::wall_faces(std::size_t b, const std:
 }
 
 template <int Dim>
+CoupledBody<Dim> Simulation<Dim>::coupled_body(std::size_t b, const BodyPath<Dim>& predicted, const std::vector<WallTrace<Dim>>& traces, double dt) const {
+  const RigidBody<Dim>& body = bodies_[b];
+  CoupledBody<Dim> coupled;
+  coupled.step = {.name = body.name, .mass = body.mass_diagonal(), .velocity = held_velocity(b, dt), .held = body.held, .length = body.length,
+                  .dt = dt, .p_inf = setup_.fluid.gas.p_inf};
+  for (std::size_t stage = 0; stage < 2; ++stage) {
+    const double t = time_ + (stage == 0 ? sdirk2_gamma : 1.0) * dt;
+    for (int k = 0; k < degrees_of_freedom<Dim>; ++k) {
+      const TimeFunction& force = setup_.bodies[b].force[static_cast<std::size_t>(k)];
+      coupled.step.external[stage][k] = (force ? force(t) : 0.0) + (k < Dim ? body.mass * setup_.gravity[k % Dim] : 0.0);
+    }
+  }
+  const Pose<Dim> middle{0.5 * (predicted.start.position + predicted.end.position), 0.5 * (predicted.start.angle + predicted.end.angle)};
+  if (setup_.fluid.bodies[b].wall) coupled.faces = wall_faces(b, traces, middle);  // else the gas passes through
+  coupled.position = body.pose.position;
+  return coupled;
+}
+
+/// Closest points of bodies, and of bodies and the edge of the domain, at t.
+template <int Dim>
+std::vector<ContactPoint<Dim>> Simulation<Dim>::near_contacts(double within) const {
+  std::vector<GapBody<Dim>> shapes;
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    shapes.push_back({setup_.fluid.bodies[b].shape.atlas.get(), setup_.bodies[b].outline.get(), bodies_[b].pose});
+  return find_gaps<Dim>(shapes, setup_.fluid.domain, fluid_.grids().front().periodic, within);
+}
+
+template <int Dim>
 typename Simulation<Dim>::Motion Simulation<Dim>::move_bodies(double dt) {
   const auto scope = timers_("bodies");
-  Motion motion;
   std::vector<BodyPath<Dim>> predicted;
   for (std::size_t b = 0; b < bodies_.size(); ++b) predicted.push_back(path(b, held_velocity(b, dt), dt));
   const std::vector<std::vector<WallTrace<Dim>>> traces = fluid_.wall_traces(predicted, dt);
-  const Gas& gas = setup_.fluid.gas;
-  const WallLaw law = [&gas](double density, double pressure, double d) {
-    const WallResponse response = wall_response(density, pressure, d, gas.gamma);
+  const double gamma = setup_.fluid.gas.gamma;
+  const WallLaw law = [gamma](double density, double pressure, double d) {
+    const WallResponse response = wall_response(density, pressure, d, gamma);
     return WallPressure{response.pressure, response.impedance};
   };
-  std::vector<BodyMatrix<Dim>> responses;
+  std::vector<CoupledBody<Dim>> coupled;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) coupled.push_back(coupled_body(b, predicted[b], traces[b], dt));
+  GapSearch<Dim> gaps;
+  if (setup_.contact) gaps = [this](double within) { return near_contacts(within); };
+  const ContactStep<Dim> step = advance_bodies<Dim>(std::move(coupled), scheme_->advance, law, gaps,
+                                                    {.restitution = setup_.restitution, .distance = setup_.contact_gap, .dt = dt});
+  Motion motion;
+  motion.contacts = step.count;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    BodyStep<Dim> step{.name = bodies_[b].name, .mass = bodies_[b].mass_diagonal(), .velocity = held_velocity(b, dt), .held = bodies_[b].held,
-                       .length = bodies_[b].length, .dt = dt, .p_inf = gas.p_inf};
-    for (std::size_t stage = 0; stage < 2; ++stage) {
-      const double t = time_ + (stage == 0 ? sdirk2_gamma : 1.0) * dt;
-      for (int k = 0; k < degrees_of_freedom<Dim>; ++k) {
-        const TimeFunction& force = setup_.bodies[b].force[static_cast<std::size_t>(k)];
-        step.external[stage][k] = (force ? force(t) : 0.0) + (k < Dim ? bodies_[b].mass * setup_.gravity[k % Dim] : 0.0);
-      }
-    }
-    const Pose<Dim> middle{0.5 * (predicted[b].start.position + predicted[b].end.position), 0.5 * (predicted[b].start.angle + predicted[b].end.angle)};
-    std::vector<WallFace<Dim>> faces;  // none where the gas passes through
-    if (setup_.fluid.bodies[b].wall) faces = wall_faces(b, traces[b], middle);
-    const BodyMotion<Dim> moved = scheme_->advance(step, faces, law);
+    const BodyMotion<Dim>& moved = step.motions[b];
     motion.end.push_back(moved.velocity);
     motion.mean.push_back(moved.mean);
     motion.pressure.push_back(moved.pressure);
-    motion.loads.push_back({moved.force.template head<Dim>(), Dim == 2 ? moved.force[Dim + rotations<Dim> - 1] : 0.0});
-    responses.push_back(moved.response);
+    motion.loads.push_back({moved.force.template head<Dim>(), Dim == 2 ? moved.force[degrees_of_freedom<Dim> - 1] : 0.0});
+    motion.paths.push_back(path(b, moved.mean, dt));
   }
-  if (setup_.contact) touch(motion, responses, dt);
-  for (std::size_t b = 0; b < bodies_.size(); ++b) motion.paths.push_back(path(b, motion.mean[b], dt));
   return motion;
 }
 

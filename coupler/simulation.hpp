@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "mortise/coupler/body_schemes.hpp"
-#include "mortise/coupler/contact.hpp"
+#include "mortise/coupler/contact_step.hpp"
 #include "mortise/fluid/euler_solver.hpp"
 #include "mortise/solid/rigid_body.hpp"
 
@@ -74,7 +74,7 @@ class Simulation {
   PhaseTimers& timers() { return timers_; }
   std::int64_t cell_updates() const { return cell_updates_; }   // computed, on this rank
   std::int64_t cells_skipped() const { return cells_skipped_; }  // left out, on this rank
-  std::int64_t contacts() const { return contacts_; }           // steps × contacts with an impulse
+  std::int64_t contacts() const { return contacts_; }           // contacts with an impulse, summed over the steps
   std::int64_t halvings() const { return halvings_; }           // steps repeated with half the Δt
 
   /// What a restart needs beside the fields and rates of the fluid: time, step, Δt and the motion of the bodies.
@@ -96,7 +96,8 @@ class Simulation {
   BodyVector<Dim> held_velocity(std::size_t body, double dt) const;
   Motion move_bodies(double dt);
   std::vector<WallFace<Dim>> wall_faces(std::size_t body, const std::vector<WallTrace<Dim>>& traces, const Pose<Dim>& pose) const;
-  void touch(Motion& motion, const std::vector<BodyMatrix<Dim>>& responses, double dt) const;
+  CoupledBody<Dim> coupled_body(std::size_t body, const BodyPath<Dim>& predicted, const std::vector<WallTrace<Dim>>& traces, double dt) const;
+  std::vector<ContactPoint<Dim>> near_contacts(double within) const;
   double extra_rate(const Motion& motion) const;
 
   Communicator comm_;

@@ -115,7 +115,7 @@ class CartesianKernel {
       const Flux U = rows::load_conserved<2>(now + i, k.plane_);
       const Flux V = rows::difference<2>(U, change);
       rows::store_conserved<2>(next + i, k.plane_, rows::select<2>(counts, V, U));
-      rate = select(counts, max(rate, rows::cartesian_rate(V, k.inverse_spacing_, k.gamma_)), rate);
+      rate = max(rate, rows::cartesian_rate(V, k.inverse_spacing_, k.gamma_, counts));
     }
     return rate;
   }

@@ -180,9 +180,8 @@ class CurvilinearKernel {
 
       const Pack lengths = (load(wests + i + 3 * s) + load(wests + i + 1 + 3 * s)) +
                            (load(souths + i + 3 * s) + load(norths + i + 3 * s));
-      const Pack checked = rows::curvilinear_rate(V, west_face + east_face, south_face + north_face, lengths,
-                                                  inverse_volume, k.gamma_);
-      rate = select(counts, max(rate, checked), rate);
+      rate = max(rate, rows::curvilinear_rate(V, west_face + east_face, south_face + north_face, lengths,
+                                              inverse_volume, k.gamma_, counts));
     }
     return rate;
   }

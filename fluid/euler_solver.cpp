@@ -189,12 +189,8 @@ void EulerSolver<Dim>::blank_holes() {
         }
         uniform_[g][static_cast<std::size_t>(t)] = 0;
       }
-      if (!mask.cut()) continue;
-      for_each_cell<Dim>(grid.shape, 0, [&](const Index<Dim>& cell) {
-        const std::size_t k = grid.shape.at(cell);
-        if (mask.state[k] != CellState::hole) return;
+      for (const std::size_t k : mask.new_holes)
         for (int c = 0; c < components; ++c) block.component(c)[k] = filler_[static_cast<std::size_t>(c)];
-      });
     }
   }
 }

@@ -99,8 +99,7 @@ class LineKernel {
       const auto V = rows::combine<1>(U, dF, [&](Pack u, Pack f) { return u - courant_ * f; });
       const PackMask counts = load(weight + i) > 0;
       rows::store_conserved<1>(next + i, plane_, rows::select<1>(counts, V, U));
-      const Pack checked = rows::line_rate(V, tile_.velocity, 1 / tile_.line.spacing[0], gamma_);
-      rate = select(counts, max(rate, checked), rate);
+      rate = max(rate, rows::line_rate(V, tile_.velocity, 1 / tile_.line.spacing[0], gamma_, counts));
     }
     return rows::result_of(rate);
   }

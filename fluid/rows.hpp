@@ -105,42 +105,45 @@ inline void fill_weights(double* row, int nx, const std::uint8_t* active) {
   for (int i = 0; i < nx; ++i) row[i] = !active || active[i] != 0 ? 1.0 : 0.0;
 }
 
-/// Rate of a vector of cells, speed/ρ; ∞ in the cells that are not admissible (then `speed` is NaN or ρ is not
-/// positive).
-MORTISE_INLINE Pack checked_rate(Pack speed, Pack density) {
-  const Pack rate = speed / density;
+// Checked rates of vectors of cells, Σ_d (|u_d − w_d| + c)/h_d: 0 in the cells that do not count (they may hold
+// anything), ∞ in those that count and are not admissible.
+
+/// speed/ρ, checked; `speed` is NaN if p̃ is not positive.
+MORTISE_INLINE Pack checked_rate(Pack speed, Pack density, PackMask counts) {
+  const Pack rate = speed / mortise::select(counts, density, broadcast(1.0));
   const PackMask good = (density > 0) & (rate <= std::numeric_limits<double>::max());
-  return mortise::select(good, rate, broadcast(std::numeric_limits<double>::infinity()));
+  return mortise::select(counts, mortise::select(good, rate, broadcast(std::numeric_limits<double>::infinity())), Pack{});
 }
 
 /// ρc = √(γp̃ρ) = √(γ(γ − 1)(Ẽρ − ½|ρu|²)); NaN for p̃ ≤ 0.
 template <int Dim>
-MORTISE_INLINE Pack momentum_of_sound(const Conserved<Dim, Pack>& U, double gamma) {
+MORTISE_INLINE Pack momentum_of_sound(const Conserved<Dim, Pack>& U, double gamma, PackMask counts) {
   Pack momentum2 = U.momentum[0] * U.momentum[0];
   for (std::size_t d = 1; d < Dim; ++d) momentum2 = momentum2 + U.momentum[d] * U.momentum[d];
-  const Pack x = (gamma * (gamma - 1)) * (U.energy * U.density - 0.5 * momentum2);
+  const Pack square = (gamma * (gamma - 1)) * (U.energy * U.density - 0.5 * momentum2);
+  const Pack x = mortise::select(counts, square, broadcast(1.0));
   return x * inverse_sqrt(x);
 }
 
-// Checked rates of vectors of cells, Σ_d (|u_d − w_d| + c)/h_d.
-
-MORTISE_INLINE Pack line_rate(const Conserved<1, Pack>& U, double velocity, double inverse_spacing, double gamma) {
-  const Pack speed = abs(U.momentum[0] - U.density * velocity) + momentum_of_sound<1>(U, gamma);
-  return checked_rate(speed * inverse_spacing, U.density);
+MORTISE_INLINE Pack line_rate(const Conserved<1, Pack>& U, double velocity, double inverse_spacing, double gamma,
+                              PackMask counts) {
+  const Pack speed = abs(U.momentum[0] - U.density * velocity) + momentum_of_sound<1>(U, gamma, counts);
+  return checked_rate(speed * inverse_spacing, U.density, counts);
 }
 MORTISE_INLINE Pack cartesian_rate(const Conserved<2, Pack>& U, const std::array<double, 2>& inverse_spacing,
-                                   double gamma) {
+                                   double gamma, PackMask counts) {
   const Pack speed = (abs(U.momentum[0]) * inverse_spacing[0] + abs(U.momentum[1]) * inverse_spacing[1]) +
-                     momentum_of_sound<2>(U, gamma) * (inverse_spacing[0] + inverse_spacing[1]);
-  return checked_rate(speed, U.density);
+                     momentum_of_sound<2>(U, gamma, counts) * (inverse_spacing[0] + inverse_spacing[1]);
+  return checked_rate(speed, U.density, counts);
 }
 /// xi, eta: sums over the opposite faces; lengths: sum of the four |S|, which bounds what the means of S would give.
-MORTISE_INLINE Pack curvilinear_rate(const Conserved<2, Pack>& U, const MovingEdge<Pack>& xi, const MovingEdge<Pack>& eta,
-                                     Pack lengths, Pack inverse_volume, double gamma) {
+MORTISE_INLINE Pack curvilinear_rate(const Conserved<2, Pack>& U, const MovingEdge<Pack>& xi,
+                                     const MovingEdge<Pack>& eta, Pack lengths, Pack inverse_volume, double gamma,
+                                     PackMask counts) {
   const Pack through_xi = abs((U.momentum[0] * xi.sx + U.momentum[1] * xi.sy) - U.density * xi.swept);
   const Pack through_eta = abs((U.momentum[0] * eta.sx + U.momentum[1] * eta.sy) - U.density * eta.swept);
-  const Pack speed = (through_xi + through_eta) + momentum_of_sound<2>(U, gamma) * lengths;
-  return checked_rate((0.5 * inverse_volume) * speed, U.density);
+  const Pack speed = (through_xi + through_eta) + momentum_of_sound<2>(U, gamma, counts) * lengths;
+  return checked_rate((0.5 * inverse_volume) * speed, U.density, counts);
 }
 
 /// The result of a tile from the largest of its checked rates.

@@ -5,7 +5,7 @@
 namespace mortise {
 namespace {
 
-/// Largest over the counting cells of a tile of rate_of(U, i, j), U the vector of cells from (i, j) on.
+/// Largest over the counting cells of a tile of rate_of(U, i, j, counts), U the vector of cells from (i, j) on.
 template <int Dim, class RateOf>
 StepResult largest_rate(const CartesianTile<Dim>& tile, double* weight, RateOf rate_of) {
   const TileShape<Dim>& shape = *tile.shape;
@@ -15,7 +15,7 @@ StepResult largest_rate(const CartesianTile<Dim>& tile, double* weight, RateOf r
     rows::fill_weights(weight, nx, tile.active ? tile.active + shape.at(0, j) : nullptr);
     for (int i = 0; i < nx; i += simd_width) {
       const auto U = rows::valid_beyond<Dim>(nx - i, rows::load_conserved<Dim>(tile.now + shape.at(i, j), shape.plane));
-      rate = select(load(weight + i) > 0, max(rate, rate_of(U, i, j)), rate);
+      rate = max(rate, rate_of(U, i, j, load(weight + i) > 0));
     }
   }
   return rows::result_of(rate);
@@ -25,8 +25,8 @@ StepResult largest_rate(const CartesianTile<Dim>& tile, double* weight, RateOf r
 
 StepResult wave_rate(const MovingLineTile& tile, const StepOptions& options) {
   const RowWorkspace work(tile.line.shape->cells[0], 1);
-  return largest_rate(tile.line, work.row(0), [&](const Conserved<1, Pack>& U, int, int) {
-    return rows::line_rate(U, tile.velocity, 1 / tile.line.spacing[0], options.gamma);
+  return largest_rate(tile.line, work.row(0), [&](const Conserved<1, Pack>& U, int, int, PackMask counts) {
+    return rows::line_rate(U, tile.velocity, 1 / tile.line.spacing[0], options.gamma, counts);
   });
 }
 
@@ -39,8 +39,8 @@ template <>
 StepResult wave_rate<2>(const CartesianTile<2>& tile, const StepOptions& options) {
   const RowWorkspace work(tile.shape->cells[0], 1);
   const std::array<double, 2> inverse_spacing = {1 / tile.spacing[0], 1 / tile.spacing[1]};
-  return largest_rate(tile, work.row(0), [&](const Conserved<2, Pack>& U, int, int) {
-    return rows::cartesian_rate(U, inverse_spacing, options.gamma);
+  return largest_rate(tile, work.row(0), [&](const Conserved<2, Pack>& U, int, int, PackMask counts) {
+    return rows::cartesian_rate(U, inverse_spacing, options.gamma, counts);
   });
 }
 
@@ -50,13 +50,13 @@ StepResult wave_rate(const CurvilinearTile& tile, const StepOptions& options) {
   std::fill(work.row(1) + row_start, work.row(1) + nx + 2, 0.0);
   const rows::NodeRows nodes(tile, work.row(1));
   const CartesianTile<2> cells{tile.shape, tile.now, nullptr, {}, tile.active};
-  return largest_rate(cells, work.row(0), [&](const Conserved<2, Pack>& U, int i, int j) {
+  return largest_rate(cells, work.row(0), [&](const Conserved<2, Pack>& U, int i, int j, PackMask counts) {
     const MovingCell<Pack> cell = nodes.cell(i, j);
     const MovingEdge<Pack> west = cell.west(), east = cell.east(), south = cell.south(), north = cell.north();
     const Pack volume = select(lanes_below(nx - i), cell.area(0), broadcast(1.0));
     return rows::curvilinear_rate(U, west + east, south + north,
                                   (length(west) + length(east)) + (length(south) + length(north)), 1.0 / volume,
-                                  options.gamma);
+                                  options.gamma, counts);
   });
 }
 

@@ -101,7 +101,7 @@ RunSummary RunReport<Dim>::collect(double wall_seconds) {
     }
     summary.bodies.push_back(out);
   }
-  const OverlapReport& overlap = simulation_.fluid().overlap().report();
+  const OverlapReport overlap = simulation_.fluid().overlap().census();
   summary.overlap = {overlap.orphans, overlap.fringe, overlap.holes, tight_};
   summary.contacts = simulation_.contacts();
   summary.repeated_steps = simulation_.halvings();

@@ -1,12 +1,10 @@
 #include "mortise/grids/output/checkpoint.hpp"
 
 #include <bit>
-#include <cstdio>
 #include <cstring>
 #include <exception>
 
 #include "mortise/grids/core/error.hpp"
-#include "mortise/grids/output/atomic_file.hpp"
 
 namespace mortise {
 namespace {
@@ -51,42 +49,29 @@ std::uint64_t checksum(const std::vector<std::string>& texts) {
 
 }  // namespace
 
-CheckpointWriter::CheckpointWriter(std::string path)
-    : path_(std::move(path)), file_(HDF5File::create(temporary_name(path_))) {
-  file_->write_attribute("/", "mortise_checkpoint", checkpoint_format);
-}
-
-CheckpointWriter::~CheckpointWriter() {
-  if (!file_) return;
-  file_.reset();
-  std::remove(temporary_name(path_).c_str());
+CheckpointWriter::CheckpointWriter(const std::string& path) : file_(HDF5File::create(path)) {
+  file_.write_attribute("/", "mortise_checkpoint", checkpoint_format);
 }
 
 void CheckpointWriter::seal(const std::string& name, std::uint64_t checksum) {
-  file_->write_attribute(name, "checksum", std::bit_cast<std::int64_t>(checksum));
+  file_.write_attribute(name, "checksum", std::bit_cast<std::int64_t>(checksum));
 }
 
 void CheckpointWriter::write(const std::string& name, const std::vector<double>& values) {
-  file_->write(name, values, {values.size()});
+  file_.write(name, values, {values.size()});
   seal(name, checksum(values));
 }
 void CheckpointWriter::write(const std::string& name, const std::vector<std::int64_t>& values) {
-  file_->write(name, values, {values.size()});
+  file_.write(name, values, {values.size()});
   seal(name, checksum(values));
 }
 void CheckpointWriter::write(const std::string& name, const std::vector<std::uint8_t>& values) {
-  file_->write(name, values, {values.size()});
+  file_.write(name, values, {values.size()});
   seal(name, checksum(values));
 }
 void CheckpointWriter::write(const std::string& name, const std::vector<std::string>& texts) {
-  file_->write_texts(name, texts);
+  file_.write_texts(name, texts);
   seal(name, checksum(texts));
-}
-
-void CheckpointWriter::finish() {
-  file_->close();
-  publish(path_);
-  file_.reset();
 }
 
 CheckpointReader::CheckpointReader(std::string path) : path_(std::move(path)) {

@@ -18,24 +18,19 @@ inline constexpr std::int64_t checkpoint_format = 1;
 /// cannot be written; an older checkpoint at `path` stays untouched until finish().
 class CheckpointWriter {
  public:
-  explicit CheckpointWriter(std::string path);
-  /// Without finish(): removes what was written.
-  ~CheckpointWriter();
-  CheckpointWriter(const CheckpointWriter&) = delete;
-  CheckpointWriter& operator=(const CheckpointWriter&) = delete;
+  explicit CheckpointWriter(const std::string& path);
 
   void write(const std::string& name, const std::vector<double>& values);
   void write(const std::string& name, const std::vector<std::int64_t>& values);
   void write(const std::string& name, const std::vector<std::uint8_t>& values);
   void write(const std::string& name, const std::vector<std::string>& texts);
-  /// Closes the file, brings it to the disk and gives it its name.
-  void finish();
+  /// Brings everything to the disk, whole or not at all; without it nothing is written.
+  void finish() { file_.close(); }
 
  private:
   void seal(const std::string& name, std::uint64_t checksum);
 
-  std::string path_;
-  std::optional<HDF5File> file_;  // nothing after finish()
+  HDF5File file_;
 };
 
 /// Throws EnvironmentError "cannot read the restart …" when the file is missing, truncated, damaged, of another format

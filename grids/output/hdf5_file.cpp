@@ -3,11 +3,13 @@
 #include <hdf5.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <numeric>
 #include <type_traits>
 #include <utility>
 
 #include "mortise/grids/core/error.hpp"
+#include "mortise/grids/output/atomic_file.hpp"
 
 namespace mortise {
 namespace {
@@ -35,6 +37,13 @@ class Handle {
 Handle file_properties() {
   const hid_t list = H5Pcreate(H5P_FILE_CREATE);
   H5Pset_obj_track_times(list, false);
+  return {list, H5Pclose};
+}
+
+Handle in_memory() {
+  constexpr std::size_t growth = 1 << 20;  // bytes
+  const hid_t list = H5Pcreate(H5P_FILE_ACCESS);
+  H5Pset_fapl_core(list, growth, false);
   return {list, H5Pclose};
 }
 
@@ -72,29 +81,38 @@ void silence() {
 
 HDF5File HDF5File::create(const std::string& path) {
   silence();
-  const Handle properties = file_properties();
-  HDF5File file(path, H5Fcreate(path.c_str(), H5F_ACC_TRUNC, properties, H5P_DEFAULT));
-  if (file.file_ < 0) file.fail("create", "");
+  const Handle properties = file_properties(), access = in_memory();
+  HDF5File file(path, H5Fcreate(path.c_str(), H5F_ACC_TRUNC, properties, access), true);
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  std::error_code error;
+  if (file.file_ < 0 || !(folder.empty() || std::filesystem::is_directory(folder, error))) file.fail("create", "");
   return file;
 }
 
 HDF5File HDF5File::open(const std::string& path) {
   silence();
-  HDF5File file(path, H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
+  HDF5File file(path, H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), false);
   if (file.file_ < 0) file.fail("read", "");
   return file;
 }
 
-HDF5File::HDF5File(HDF5File&& other) noexcept : path_(std::move(other.path_)), file_(std::exchange(other.file_, -1)) {}
+HDF5File::HDF5File(HDF5File&& other) noexcept
+    : path_(std::move(other.path_)), file_(std::exchange(other.file_, -1)), created_(other.created_) {}
 
 HDF5File::~HDF5File() {
   if (file_ >= 0) H5Fclose(file_);
 }
 
 void HDF5File::close() {
-  const bool flushed = H5Fflush(file_, H5F_SCOPE_LOCAL) >= 0;
-  const bool closed = H5Fclose(std::exchange(file_, -1)) >= 0;
-  if (!flushed || !closed) fail("write", "");
+  std::string image;
+  if (created_) {
+    const auto size = H5Fflush(file_, H5F_SCOPE_LOCAL) < 0 ? ssize_t{-1} : H5Fget_file_image(file_, nullptr, 0);
+    if (size < 0) fail("put together", "");
+    image.resize(static_cast<std::size_t>(size));
+    if (H5Fget_file_image(file_, image.data(), image.size()) != size) fail("put together", "");
+  }
+  H5Fclose(std::exchange(file_, -1));
+  if (created_) write_file(path_, image);
 }
 
 void HDF5File::fail(const std::string& what, const std::string& name) const {

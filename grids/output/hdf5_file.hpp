@@ -1,5 +1,7 @@
 // One HDF5 file, opened, used and closed by one process. Named datasets of double, int64, uint8 and text, and
 // attributes. Nothing in the file depends on the time of writing: the same data give the same bytes.
+// A new file is put together in memory and written by close(), so that the HDF5 library, which does not survive a full
+// disk, never meets one.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +17,7 @@ class HDF5File {
  public:
   using Shape = std::vector<std::uint64_t>;  // slowest direction first
 
-  /// Replaces an existing file.
+  /// For writing; the folder must be there. An existing file at `path` stays as it is until close().
   static HDF5File create(const std::string& path);
   /// For reading.
   static HDF5File open(const std::string& path);
@@ -24,7 +26,7 @@ class HDF5File {
   HDF5File(HDF5File&& other) noexcept;
   HDF5File& operator=(HDF5File&&) = delete;
 
-  /// Writes what is buffered and closes; only this reports a full disk for certain.
+  /// Brings a new file to the disk, whole or not at all, and closes it. Without it nothing is written.
   void close();
 
   void write(const std::string& name, std::span<const double> values, const Shape& shape);
@@ -45,7 +47,7 @@ class HDF5File {
   std::int64_t integer_attribute(const std::string& object, const std::string& name) const;
 
  private:
-  HDF5File(std::string path, std::int64_t file) : path_(std::move(path)), file_(file) {}
+  HDF5File(std::string path, std::int64_t file, bool created) : path_(std::move(path)), file_(file), created_(created) {}
 
   [[noreturn]] void fail(const std::string& what, const std::string& name) const;
   void write_raw(const std::string& name, std::int64_t type, const void* values, std::size_t count, const Shape& shape);
@@ -54,6 +56,7 @@ class HDF5File {
 
   std::string path_;
   std::int64_t file_ = -1;  // HDF5 identifier; −1: closed
+  bool created_;            // in memory
 };
 
 }  // namespace mortise

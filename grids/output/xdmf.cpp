@@ -207,13 +207,7 @@ SeriesWriter::SeriesWriter(std::string directory, double restart_time) : directo
 
 void SeriesWriter::write(const Snapshot& snapshot) {
   const std::string path = directory_ + "/" + step_file(snapshot.step);
-  try {
-    write_fields(temporary_name(path), snapshot);
-  } catch (const EnvironmentError&) {
-    std::remove(temporary_name(path).c_str());
-    throw;
-  }
-  publish(path);
+  write_fields(path, snapshot);
   std::erase_if(entries_, [&](const Entry& entry) { return entry.step == snapshot.step; });
   const auto after = [&](const Entry& entry) { return entry.step > snapshot.step; };
   entries_.insert(std::find_if(entries_.begin(), entries_.end(), after), {snapshot.step, collection(snapshot)});

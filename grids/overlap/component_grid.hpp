@@ -15,10 +15,11 @@ enum class CellState : std::uint8_t { active = 0, fringe = 1, hole = 2 };
 
 /// Overlap data of one tile. Planes are indexed by TileShape::at(), ghosts included.
 struct TileMask {
-  std::vector<std::uint8_t> active;  // 1: advanced by the solver; empty: every cell is
-  std::vector<CellState> state;      // of the tile's own cells (ghost entries unused); empty with `active`
-  int active_count = 0;              // of the tile's own cells
-  bool hole = false;                 // neither active nor fringe cells: the tile needs no memory
+  std::vector<std::uint8_t> active;     // 1: advanced by the solver; empty: every cell is
+  std::vector<CellState> state;         // of the tile's own cells (ghost entries unused); empty with `active`
+  std::vector<std::size_t> new_holes;   // offsets of cells that have become holes at the last cut
+  int active_count = 0;                 // of the tile's own cells
+  bool hole = false;                    // neither active nor fringe cells: the tile needs no memory
 
   bool cut() const { return !active.empty(); }
 };

@@ -34,7 +34,13 @@ Overlap<Dim>::Overlap(const Communicator& comm, std::vector<ComponentGrid<Dim>>&
                       Box<Dim> domain, OverlapOptions options)
     : comm_(comm), grids_(grids), bodies_(std::move(bodies)), domain_(domain), options_(options) {
   periodic_ = grids_.front().periodic;
-  previous_.resize(grids_.size());
+  moved_.assign(bodies_.size(), 0);
+  donors_.resize(static_cast<std::size_t>(comm_.size()));
+  accepted_.resize(static_cast<std::size_t>(comm_.size()));
+  for (ComponentGrid<Dim>& grid : grids_) {
+    tiles_.emplace_back(grid.masks.size());
+    for (TileMask& mask : grid.masks) mask.active_count = grid.shape.count();
+  }
   for (const ComponentGrid<Dim>& grid : grids_) {
     std::vector<double> distances;
     std::vector<Point<Dim>> centers;
@@ -50,26 +56,61 @@ Overlap<Dim>::Overlap(const Communicator& comm, std::vector<ComponentGrid<Dim>>&
 
 template <int Dim>
 bool Overlap<Dim>::update(const std::vector<Pose<Dim>>& poses, bool fresh) {
-  if (poses == poses_ && !exposed_last_ && !fresh) return false;
+  if (!note_motion(poses, fresh)) return false;
+  for (std::size_t g = 0; g < grids_.size(); ++g) {
+    for (std::size_t t = 0; t < tiles_[g].size(); ++t) {
+      tiles_[g][t].was_recut = tiles_[g][t].recut;
+      tiles_[g][t].recut = false;
+      grids_[g].masks[t].new_holes.clear();
+    }
+    if (grids_[g].background())
+      cut_background(static_cast<int>(g), fresh);
+    else
+      cut_body_grid(static_cast<int>(g), fresh);
+    for (std::size_t t = 0; t < tiles_[g].size(); ++t) {
+      TileOverlap& tile = tiles_[g][t];
+      if (tile.recut || !tile.was_recut) continue;
+      tile.active_before = grids_[g].masks[t].active;  // left alone now: nothing is exposed any more
+      tile.state_before = grids_[g].masks[t].state;
+      tile.exposed = 0;
+    }
+  }
+  find_donors();
+  count();
+  return true;
+}
+
+/// Which bodies matter to this update: those that moved now or at the last one, and those close to them. A second
+/// update after the last motion leaves donors that do not depend on what was exposed, as a restart would find them.
+template <int Dim>
+bool Overlap<Dim>::note_motion(const std::vector<Pose<Dim>>& poses, bool fresh) {
+  std::vector<std::uint8_t> restless(bodies_.size(), 0);
+  std::vector<Box<Dim>> swept;
+  bool any = false;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const std::uint8_t moves = fresh || poses_.empty() || !(poses[b] == poses_[b]);
+    restless[b] = moves | moved_[b];
+    moved_[b] = moves;
+    any = any || restless[b];
+  }
+  if (!any) return false;
+  const std::vector<Box<Dim>> before = reaches_;
   poses_ = poses;
   frames_.clear();
   reaches_.clear();
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     frames_.emplace_back(poses_[b]);
     reaches_.push_back(frames_[b].to_space(bodies_[b].atlas->reach()));
+    swept.push_back(reaches_[b]);
+    if (before.empty()) continue;
+    swept[b].low = swept[b].low.cwiseMin(before[b].low);
+    swept[b].high = swept[b].high.cwiseMax(before[b].high);
   }
-  for (std::size_t g = 0; g < grids_.size(); ++g) {
-    previous_[g].resize(grids_[g].masks.size());
-    if (grids_[g].background())
-      cut_background(grids_[g]);
-    else
-      cut_body_grid(grids_[g]);
-    if (fresh)
-      for (std::size_t t = 0; t < grids_[g].masks.size(); ++t) previous_[g][t] = grids_[g].masks[t].active;
-  }
-  collect_receivers();
-  find_donors();
-  count();
+  const bool all = comm_.size() > 1;  // across ranks all donors are found anew
+  touched_.assign(bodies_.size(), Box<Dim>{});
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    for (std::size_t a = 0; a < bodies_.size(); ++a)
+      if (all || (restless[a] && (a == b || swept[a].meets(swept[b])))) touched_[b] = swept[b];
   return true;
 }
 
@@ -83,8 +124,7 @@ double Overlap<Dim>::edge_distance(const Point<Dim>& x) const {
 
 template <int Dim>
 bool Overlap<Dim>::covers_background(const OverlapBody<Dim>& body, double distance, double edge) const {
-  const double inner = (body.layers - 2 - options_.overlap) * body.spacing;
-  return distance <= 0 || (distance < inner && edge > distance + options_.margin * body.spacing);
+  return distance <= 0 || (distance < inner_reach(body) && edge > distance + options_.margin * body.spacing);
 }
 
 template <int Dim>
@@ -108,57 +148,108 @@ bool Overlap<Dim>::wanted_by_body(int body, double own_distance, const Point<Dim
   return true;
 }
 
+/// Background cells closer to the body than this are holes or fringe.
 template <int Dim>
-void Overlap<Dim>::begin_tile(ComponentGrid<Dim>& grid, int tile, std::uint8_t active) {
-  TileMask& mask = grid.masks[static_cast<std::size_t>(tile)];
-  mask.active.assign(grid.shape.plane, active);
-  mask.state.assign(grid.shape.plane, CellState::active);
+double Overlap<Dim>::inner_reach(const OverlapBody<Dim>& body) const {
+  return (body.layers - 2 - options_.overlap) * body.spacing;
+}
+
+/// Remembers the tile's cells as they were and marks all of them, ghosts included.
+template <int Dim>
+void Overlap<Dim>::begin_cut(int grid, int tile, std::uint8_t active) {
+  const ComponentGrid<Dim>& of = grids_[static_cast<std::size_t>(grid)];
+  TileMask& mask = grids_[static_cast<std::size_t>(grid)].masks[static_cast<std::size_t>(tile)];
+  mask.active.assign(of.shape.plane, active);
+  mask.state.assign(of.shape.plane, CellState::active);
 }
 
 template <int Dim>
-void Overlap<Dim>::cut_background(ComponentGrid<Dim>& grid) {
-  const auto g = static_cast<std::size_t>(&grid - grids_.data());
+void Overlap<Dim>::cut_background(int g, bool fresh) {
+  ComponentGrid<Dim>& grid = grids_[static_cast<std::size_t>(g)];
   for (int t = 0; t < grid.forest.local_count(); ++t) {
+    const Box<Dim> box = grid.box(t).grown(4 * grid.spacing.maxCoeff());
+    if (std::none_of(touched_.begin(), touched_.end(), [&](const Box<Dim>& touched) { return touched.meets(box); })) continue;
     TileMask& mask = grid.masks[static_cast<std::size_t>(t)];
-    previous_[g][static_cast<std::size_t>(t)].swap(mask.active);
+    TileOverlap& tile = tile_of(g, t);
+    tile.recut = true;
+    tile.active_before.swap(mask.active);
+    tile.state_before.swap(mask.state);
     mask.active.clear();
     mask.state.clear();
     mask.hole = false;
-    const Box<Dim> box = grid.box(t).grown(4 * grid.spacing.maxCoeff());
-    const Index<Dim> first = grid.first_cell(t);
-    for (std::size_t b = 0; b < bodies_.size(); ++b) {
-      if (!reaches_[b].meets(box)) continue;
-      if (mask.active.empty()) begin_tile(grid, t, 1);
-      Index<Dim> low, high;  // cells of the tile (with ghosts) within the body's reach
-      for (std::size_t d = 0; d < Dim; ++d) {
-        const int k = static_cast<int>(d);
-        const auto cell_at = [&](double x) {  // x may be infinite
-          const double cell = std::floor((x - grid.origin[k]) / grid.spacing[k]) - first[d];
-          return static_cast<int>(std::clamp<double>(cell, -grid.shape.ghosts, grid.shape.cells[d] + grid.shape.ghosts));
-        };
-        low[d] = cell_at(reaches_[b].low[k]);
-        high[d] = std::min(cell_at(reaches_[b].high[k]) + 2, grid.shape.cells[d] + grid.shape.ghosts);
-      }
-      for_each_index<Dim>(low, high, [&](const Index<Dim>& c) {
-        Index<Dim> global = c;
-        for (std::size_t d = 0; d < Dim; ++d) global[d] += first[d];
-        const Point<Dim> x = grid.center(global);
-        if (covers_background(bodies_[b], bodies_[b].atlas->distance(frames_[b].to_body(x)), edge_distance(x)))
-          mask.active[grid.shape.at(c)] = 0;
-      });
+    mask.active_count = grid.shape.count();
+    Index<Dim> low = grid.shape.cells, high{};  // region with inactive cells
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+      if (reaches_[b].meets(box)) cut_by_body(g, t, b, low, high);
+    if (fresh) tile.active_before = mask.active, tile.state_before.clear();
+    std::swap(tile.low, low);
+    std::swap(tile.high, high);
+    for (std::size_t d = 0; d < Dim; ++d) {  // cells that were cut before may be exposed now
+      low[d] = std::min(low[d], tile.low[d]);
+      high[d] = std::max(high[d], tile.high[d]);
     }
-    mark_fringe(grid, t);
+    mark_fringe(g, t, low, high);
   }
 }
 
+/// Takes from a background tile what a body covers; widens [low, high) to the cells concerned.
 template <int Dim>
-void Overlap<Dim>::cut_body_grid(ComponentGrid<Dim>& grid) {
-  const auto g = static_cast<std::size_t>(&grid - grids_.data());
+void Overlap<Dim>::cut_by_body(int g, int t, std::size_t b, Index<Dim>& low, Index<Dim>& high) {
+  const ComponentGrid<Dim>& grid = grids_[static_cast<std::size_t>(g)];
+  const OverlapBody<Dim>& body = bodies_[b];
+  const Box<Dim> covered = body.atlas->reach().grown(inner_reach(body) - (body.atlas->width() + 5 * body.spacing));  // body frame
+  const Box<Dim> in_space = frames_[b].to_space(covered);
+  const Index<Dim> first = grid.first_cell(t);
+  Index<Dim> from, to;
+  for (std::size_t d = 0; d < Dim; ++d) {
+    const int k = static_cast<int>(d);
+    const auto cell_at = [&](double x) {  // x may be infinite
+      const double cell = std::floor((x - grid.origin[k]) / grid.spacing[k]) - first[d];
+      return static_cast<int>(std::clamp<double>(cell, -grid.shape.ghosts, grid.shape.cells[d] + grid.shape.ghosts));
+    };
+    from[d] = cell_at(in_space.low[k]);
+    to[d] = std::min(cell_at(in_space.high[k]) + 1, grid.shape.cells[d] + grid.shape.ghosts);
+    if (from[d] >= to[d]) return;
+  }
+  TileMask& mask = grids_[static_cast<std::size_t>(g)].masks[static_cast<std::size_t>(t)];
+  if (mask.active.empty()) begin_cut(g, t, 1);
+  for (std::size_t d = 0; d < Dim; ++d) {
+    low[d] = std::min(low[d], from[d]);
+    high[d] = std::max(high[d], to[d]);
+  }
+  for_each_index<Dim>(from, to, [&](const Index<Dim>& c) {
+    Index<Dim> global = c;
+    for (std::size_t d = 0; d < Dim; ++d) global[d] += first[d];
+    const Point<Dim> x = grid.center(global);
+    const Point<Dim> X = frames_[b].to_body(x);
+    if (covered.contains(X) && covers_background(body, body.atlas->distance(X), edge_distance(x))) mask.active[grid.shape.at(c)] = 0;
+  });
+}
+
+template <int Dim>
+void Overlap<Dim>::cut_body_grid(int g, bool fresh) {
+  ComponentGrid<Dim>& grid = grids_[static_cast<std::size_t>(g)];
   const auto body = static_cast<std::size_t>(grid.body);
+  if (touched_[body].low[0] > touched_[body].high[0]) return;
+  Box<Dim> room = domain_.grown(0);
+  for (int d = 0; d < Dim; ++d)
+    if (periodic_[static_cast<std::size_t>(d)]) room.low[d] = -1e300, room.high[d] = 1e300;
+  bool alone = room.contains(reaches_[body].low) && room.contains(reaches_[body].high);
+  for (std::size_t b = 0; b < bodies_.size(); ++b) alone = alone && (b == body || !reaches_[b].meets(reaches_[body]));
   for (int t = 0; t < grid.forest.local_count(); ++t) {
     TileMask& mask = grid.masks[static_cast<std::size_t>(t)];
-    previous_[g][static_cast<std::size_t>(t)].swap(mask.active);
-    begin_tile(grid, t, 0);
+    TileOverlap& tile = tile_of(g, t);
+    tile.recut = true;
+    if (alone && tile.alone && tile.exposed == 0 && !fresh) {  // as before: the same mask, other donors
+      tile.active_before = mask.active;
+      tile.state_before = mask.state;
+      tile.exposed = 0;
+      continue;
+    }
+    tile.alone = alone;
+    tile.active_before.swap(mask.active);
+    tile.state_before.swap(mask.state);
+    begin_cut(g, t, 0);
     const Index<Dim> first = grid.first_cell(t);
     for_each_cell<Dim>(grid.shape, grid.shape.ghosts, [&](const Index<Dim>& c) {
       Index<Dim> cell = c;
@@ -170,60 +261,95 @@ void Overlap<Dim>::cut_body_grid(ComponentGrid<Dim>& grid) {
         index = index * static_cast<std::size_t>(grid.cells[d]) + static_cast<std::size_t>(cell[d]);
       }
       if (layer_of<Dim>(grid, cell) >= bodies_[body].layers - 2) return;
-      const Point<Dim> x = frames_[body].to_space(body_centers_[g][index]);
-      mask.active[grid.shape.at(c)] = wanted_by_body(grid.body, own_distances_[g][index], x) ? 1 : 0;
+      const auto of_grid = static_cast<std::size_t>(g);
+      const bool wanted =
+          alone || wanted_by_body(grid.body, own_distances_[of_grid][index], frames_[body].to_space(body_centers_[of_grid][index]));
+      mask.active[grid.shape.at(c)] = wanted ? 1 : 0;
     });
-    mark_fringe(grid, t);
+    if (fresh) tile.active_before = mask.active, tile.state_before.clear();
+    mark_fringe(g, t, Index<Dim>{}, grid.shape.cells);
   }
 }
 
-/// state = active, fringe where the stencil |di| + |dj| ≤ 2 of an active cell reaches, hole elsewhere.
+/// state = active, fringe where the stencil |di| + |dj| ≤ 2 of an active cell reaches, hole elsewhere. Cells outside [low, high)
+/// are active.
 template <int Dim>
-void Overlap<Dim>::mark_fringe(ComponentGrid<Dim>& grid, int tile) {
-  TileMask& mask = grid.masks[static_cast<std::size_t>(tile)];
-  mask.active_count = grid.shape.count();
-  if (mask.active.empty()) return;
-  const int rows = Dim == 2 ? grid.shape.cells[Dim - 1] : 1;
-  const std::ptrdiff_t s = grid.shape.stride;
-  int active = 0, fringe = 0;
-  for (int j = 0; j < rows; ++j) {
-    const std::uint8_t* a = mask.active.data() + grid.shape.at(0, j);
-    CellState* state = mask.state.data() + grid.shape.at(0, j);
-    for (int i = 0; i < grid.shape.cells[0]; ++i) {
-      unsigned reached = a[i - 2] | a[i - 1] | a[i + 1] | a[i + 2];
-      if constexpr (Dim == 2)
-        reached |= unsigned(a[i - s - 1] | a[i - s] | a[i - s + 1] | a[i + s - 1] | a[i + s] | a[i + s + 1] | a[i - 2 * s] | a[i + 2 * s]);
-      state[i] = a[i] ? CellState::active : reached ? CellState::fringe : CellState::hole;
-      active += a[i];
-      fringe += state[i] == CellState::fringe;
+void Overlap<Dim>::mark_fringe(int g, int t, Index<Dim> low, Index<Dim> high) {
+  const ComponentGrid<Dim>& grid = grids_[static_cast<std::size_t>(g)];
+  TileMask& mask = grids_[static_cast<std::size_t>(g)].masks[static_cast<std::size_t>(t)];
+  for (std::size_t d = 0; d < Dim; ++d) {
+    low[d] = std::max(low[d], 0);
+    high[d] = std::min(high[d], grid.shape.cells[d]);
+  }
+  int inactive = 0, holes = 0;
+  if (!mask.active.empty()) {
+    const std::ptrdiff_t s = grid.shape.stride;
+    for (int j = Dim == 2 ? low[Dim - 1] : 0; j < (Dim == 2 ? high[Dim - 1] : 1); ++j) {
+      const std::uint8_t* a = mask.active.data() + grid.shape.at(0, j);
+      CellState* state = mask.state.data() + grid.shape.at(0, j);
+      for (int i = low[0]; i < high[0]; ++i) {
+        unsigned reached = a[i - 2] | a[i - 1] | a[i + 1] | a[i + 2];
+        if constexpr (Dim == 2)
+          reached |= unsigned(a[i - s - 1] | a[i - s] | a[i - s + 1] | a[i + s - 1] | a[i + s] | a[i + s + 1] | a[i - 2 * s] | a[i + 2 * s]);
+        state[i] = a[i] ? CellState::active : reached ? CellState::fringe : CellState::hole;
+        inactive += !a[i];
+        holes += state[i] == CellState::hole;
+      }
     }
   }
-  mask.active_count = active;
-  mask.hole = active + fringe == 0;
-  if (active == grid.shape.count()) {
-    const std::size_t ghosts_cut = static_cast<std::size_t>(std::count(mask.active.begin(), mask.active.end(), 0));
-    if (ghosts_cut == 0) mask.active.clear(), mask.state.clear();
-  }
+  mask.active_count = grid.shape.count() - inactive;
+  mask.hole = holes == grid.shape.count();
+  if (inactive == 0 && std::count(mask.active.begin(), mask.active.end(), 0) == 0) mask.active.clear(), mask.state.clear();
+  collect_receivers(g, t, low, high);
+}
+
+/// Fringe and exposed cells, and new holes, among [low, high).
+template <int Dim>
+void Overlap<Dim>::collect_receivers(int g, int t, const Index<Dim>& low, const Index<Dim>& high) {
+  const ComponentGrid<Dim>& grid = grids_[static_cast<std::size_t>(g)];
+  TileMask& mask = grids_[static_cast<std::size_t>(g)].masks[static_cast<std::size_t>(t)];
+  TileOverlap& tile = tile_of(g, t);
+  tile.receivers.clear();
+  tile.exposed = 0;
+  if (!mask.cut() && tile.active_before.empty()) return;
+  const bool cut_before = !tile.state_before.empty();
+  for_each_index<Dim>(low, high, [&](const Index<Dim>& c) {
+    const std::size_t k = grid.shape.at(c);
+    const CellState state = mask.cut() ? mask.state[k] : CellState::active;
+    const bool exposed = state == CellState::active && !tile.active_before.empty() && !tile.active_before[k];
+    if (state == CellState::fringe || exposed) tile.receivers.push_back(k);
+    tile.exposed += exposed;
+    if (state == CellState::hole && !(cut_before && tile.state_before[k] == CellState::hole)) mask.new_holes.push_back(k);
+  });
 }
 
 template <int Dim>
 void Overlap<Dim>::count() {
-  OverlapReport local;
+  std::int64_t exposed = 0, tight = 0;
+  for (const std::vector<TileOverlap>& of_grid : tiles_)
+    for (const TileOverlap& tile : of_grid) {
+      exposed += tile.exposed;
+      tight += tile.tight;
+    }
+  report_.exposed = comm_.sum(exposed);
+  report_.tight = comm_.sum(tight + report_.tight);
+  report_.orphans = comm_.sum(report_.orphans);
+}
+
+template <int Dim>
+OverlapReport Overlap<Dim>::census() const {
+  OverlapReport report = report_;
   for (const ComponentGrid<Dim>& grid : grids_)
     for (const TileMask& mask : grid.masks) {
       if (!mask.cut()) continue;
       for_each_cell<Dim>(grid.shape, 0, [&](const Index<Dim>& c) {
-        local.fringe += mask.state[grid.shape.at(c)] == CellState::fringe;
-        local.holes += mask.state[grid.shape.at(c)] == CellState::hole;
+        report.fringe += mask.state[grid.shape.at(c)] == CellState::fringe;
+        report.holes += mask.state[grid.shape.at(c)] == CellState::hole;
       });
     }
-  for (const Receiver& receiver : receivers_) local.exposed += receiver.exposed;
-  report_.fringe = comm_.sum(local.fringe);
-  report_.holes = comm_.sum(local.holes);
-  report_.exposed = comm_.sum(local.exposed);
-  report_.tight = comm_.sum(report_.tight);
-  report_.orphans = comm_.sum(report_.orphans);
-  exposed_last_ = report_.exposed > 0;
+  report.fringe = comm_.sum(report.fringe);
+  report.holes = comm_.sum(report.holes);
+  return report;
 }
 
 template <int Dim>

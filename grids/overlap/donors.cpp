@@ -10,7 +10,7 @@ namespace {
 
 /// Middle of the stencil around X and X's offset from it, on the grid on one side of a body. tight: points a little
 /// inside the body count as on the wall row.
-bool locate(const BodyAtlas& atlas, int, const Point<2>& X, bool tight, Index<2>& center, std::array<double, 2>& offset) {
+bool locate_in(const BodyAtlas& atlas, int, const Point<2>& X, bool tight, Index<2>& center, std::array<double, 2>& offset) {
   StencilPoint where;
   if (!(tight ? atlas.locate_clamped(X, where) : atlas.locate(X, where))) return false;
   center = where.center;
@@ -18,7 +18,7 @@ bool locate(const BodyAtlas& atlas, int, const Point<2>& X, bool tight, Index<2>
   return true;
 }
 
-bool locate(const LineAtlas& atlas, int side, const Point<1>& X, bool tight, Index<1>& center, std::array<double, 1>& offset) {
+bool locate_in(const LineAtlas& atlas, int side, const Point<1>& X, bool tight, Index<1>& center, std::array<double, 1>& offset) {
   Point<1> logical;
   if (!atlas.locate(X, side, logical) && !tight) return false;
   logical[0] = std::clamp(logical[0], 0.0, atlas.layers() - 1.0);
@@ -61,25 +61,6 @@ Point<Dim> Overlap<Dim>::position(const Receiver& receiver) const {
 }
 
 template <int Dim>
-void Overlap<Dim>::collect_receivers() {
-  receivers_.clear();
-  for (std::size_t g = 0; g < grids_.size(); ++g) {
-    const ComponentGrid<Dim>& grid = grids_[g];
-    for (std::size_t t = 0; t < grid.masks.size(); ++t) {
-      const TileMask& mask = grid.masks[t];
-      const std::vector<std::uint8_t>& before = previous_[g][t];
-      if (!mask.cut() && before.empty()) continue;
-      for_each_cell<Dim>(grid.shape, 0, [&](const Index<Dim>& c) {
-        const std::size_t k = grid.shape.at(c);
-        const CellState state = mask.cut() ? mask.state[k] : CellState::active;
-        const bool exposed = state == CellState::active && !before.empty() && !before[k];
-        if (state == CellState::fringe || exposed) receivers_.push_back({static_cast<int>(g), static_cast<int>(t), k, exposed});
-      });
-    }
-  }
-}
-
-template <int Dim>
 int Overlap<Dim>::component(int body, const Point<Dim>& X) const {
   for (std::size_t g = 0; g < grids_.size(); ++g) {
     if (grids_[g].body != body) continue;
@@ -93,49 +74,54 @@ int Overlap<Dim>::component(int body, const Point<Dim>& X) const {
   return -1;
 }
 
+/// Grids that may hold a donor for x, the preferred first; `own_grid` itself is none of them (−1: all grids count).
 template <int Dim>
-std::vector<typename Overlap<Dim>::Candidate> Overlap<Dim>::candidates(int own_grid, const Point<Dim>& x) const {
+void Overlap<Dim>::list_choices(int own_grid, const Point<Dim>& x, std::vector<Choice>& choices) const {
   const int own_body = own_grid < 0 ? -1 : grids_[static_cast<std::size_t>(own_grid)].body;
-  std::vector<std::pair<double, int>> near;  // (distance, body)
+  const bool own_background = own_grid >= 0 && own_body < 0;
+  choices.clear();
   for (std::size_t b = 0; b < bodies_.size(); ++b)
-    if (static_cast<int>(b) != own_body && reaches_[b].contains(x))
-      near.emplace_back(bodies_[b].atlas->distance(frames_[b].to_body(x)), static_cast<int>(b));
-  std::sort(near.begin(), near.end());
-
-  std::vector<Candidate> found;
-  const auto add_background = [&](bool tight) {
-    if (own_grid >= 0 && grids_[static_cast<std::size_t>(own_grid)].background()) return;
-    Candidate candidate{.center = {}, .offset = {}, .grid = 0, .tight = tight};
-    if (on_background(x, candidate)) found.push_back(candidate);
-  };
-  const auto add_bodies = [&](bool tight) {
-    for (const auto& [distance, b] : near) {
-      const Point<Dim> X = frames_[static_cast<std::size_t>(b)].to_body(x);
-      const Atlas<Dim>& atlas = *bodies_[static_cast<std::size_t>(b)].atlas;
-      const int g = component(b, X);
-      if (g < 0 || distance > bodies_[static_cast<std::size_t>(b)].layers * bodies_[static_cast<std::size_t>(b)].spacing) continue;
-      const int side = grids_[static_cast<std::size_t>(g)].side;
-      Candidate candidate{.center = {}, .offset = {}, .grid = g, .tight = tight};
-      if (locate(atlas, side, X, tight, candidate.center, candidate.offset)) found.push_back(candidate);
-    }
-  };
-  const bool background_first = own_grid != 0 && (near.empty() || wanted_by_background(x));
-  const bool inside_a_body = !near.empty() && near.front().first <= 0;
-  if (background_first) add_background(false);
-  if (!inside_a_body) add_bodies(false);
-  if (!background_first) add_background(false);
-  if (own_grid >= 0) {
-    add_bodies(true);
-    add_background(true);
+    if (static_cast<int>(b) != own_body && reaches_[b].contains(x)) choices.push_back({static_cast<int>(b), false});
+  const std::size_t near = choices.size();
+  bool inside_a_body = false;
+  if (near > 1) {  // nearest body first
+    const auto distance = [&](const Choice& c) {
+      const auto b = static_cast<std::size_t>(c.body);
+      return bodies_[b].atlas->distance(frames_[b].to_body(x));
+    };
+    std::stable_sort(choices.begin(), choices.end(), [&](const Choice& a, const Choice& b) { return distance(a) < distance(b); });
+    inside_a_body = distance(choices.front()) <= 0;
   }
-  return found;
+  const std::vector<Choice> bodies = near > 1 ? choices : std::vector<Choice>{};
+  if (inside_a_body) choices.clear();
+  if (!own_background) {
+    const bool first = near == 0 || wanted_by_background(x);
+    choices.insert(first ? choices.begin() : choices.end(), Choice{});
+  }
+  if (own_grid < 0) return;
+  if (near == 1) choices.push_back({own_background || choices.front().body >= 0 ? choices.front().body : choices.back().body, true});
+  for (const Choice& body : bodies) choices.push_back({body.body, true});
+  if (!own_background) choices.push_back({-1, true});
+}
+
+template <int Dim>
+bool Overlap<Dim>::locate(const Choice& choice, const Point<Dim>& x, Candidate& found) const {
+  found.tight = choice.tight;
+  if (choice.body < 0) {
+    found.grid = 0;
+    return on_background(x, found);
+  }
+  const auto b = static_cast<std::size_t>(choice.body);
+  const Point<Dim> X = frames_[b].to_body(x);
+  found.grid = component(choice.body, X);
+  return found.grid >= 0 && locate_in(*bodies_[b].atlas, grids_[static_cast<std::size_t>(found.grid)].side, X, choice.tight, found.center, found.offset);
 }
 
 /// Active now and before: a cell that holds a value of the present time.
 template <int Dim>
 bool Overlap<Dim>::usable(int g, int tile, std::size_t cell) const {
   const TileMask& mask = grids_[static_cast<std::size_t>(g)].masks[static_cast<std::size_t>(tile)];
-  const std::vector<std::uint8_t>& before = previous_[static_cast<std::size_t>(g)][static_cast<std::size_t>(tile)];
+  const std::vector<std::uint8_t>& before = tile_of(g, tile).active_before;
   return (mask.active.empty() || mask.active[cell]) && (before.empty() || before[cell]);
 }
 
@@ -224,57 +210,99 @@ bool Overlap<Dim>::accept_reduced(const Candidate& request, int tile, const Inde
   return false;
 }
 
+/// Goes through the choices from `next` on as long as they are on this rank. True: a donor was found and linked. False: the choice
+/// `next` is on another rank, or there are no more.
+template <int Dim>
+bool Overlap<Dim>::try_local(const Receiver& receiver, const Point<Dim>& x, const std::vector<Choice>& choices, std::size_t& next) {
+  for (; next < choices.size(); ++next) {
+    Candidate candidate;
+    if (!locate(choices[next], x, candidate)) continue;
+    if (owner(candidate).rank != comm_.rank()) return false;
+    Donor<Dim> donor;
+    if (!accept(candidate, donor)) continue;
+    TileOverlap& tile = tile_of(receiver.grid, receiver.tile);
+    tile.links.push_back({receiver.cell, donor});
+    tile.tight += candidate.tight;
+    return true;
+  }
+  return false;
+}
+
 template <int Dim>
 void Overlap<Dim>::find_donors() {
+  report_.tight = report_.orphans = 0;  // of receivers served by other ranks; count() adds the others
+  std::vector<Receiver> open;
+  std::vector<std::vector<Choice>> open_choices;
+  std::vector<std::size_t> open_next;
+  std::vector<Choice> choices;
+  for (std::size_t g = 0; g < grids_.size(); ++g)
+    for (std::size_t t = 0; t < tiles_[g].size(); ++t) {
+      TileOverlap& tile = tiles_[g][t];
+      if (!tile.recut) continue;
+      tile.links.clear();
+      tile.tight = 0;
+      for (const std::size_t cell : tile.receivers) {
+        const Receiver receiver{static_cast<int>(g), static_cast<int>(t), cell};
+        const Point<Dim> x = position(receiver);
+        list_choices(receiver.grid, x, choices);
+        std::size_t next = 0;
+        if (try_local(receiver, x, choices, next)) continue;
+        open.push_back(receiver);
+        open_choices.push_back(choices);
+        open_next.push_back(next);
+      }
+    }
+  find_remote_donors(std::move(open), std::move(open_choices), std::move(open_next));
+}
+
+/// The rest by rounds of questions to the ranks that hold the choices, each receiver in the order of its choices, so that
+/// the donors are those a single rank would find.
+template <int Dim>
+void Overlap<Dim>::find_remote_donors(std::vector<Receiver> open, std::vector<std::vector<Choice>> choices, std::vector<std::size_t> next) {
   const auto ranks = static_cast<std::size_t>(comm_.size());
+  remote_receivers_.clear();
   accepted_.assign(ranks, {});
   donors_.assign(ranks, {});
-  report_.tight = report_.orphans = 0;
-  std::vector<std::vector<Candidate>> choices;
-  std::vector<int> open(receivers_.size());
-  choices.reserve(receivers_.size());
-  for (std::size_t r = 0; r < receivers_.size(); ++r) {
-    open[r] = static_cast<int>(r);
-    choices.push_back(candidates(receivers_[r].grid, position(receivers_[r])));
-  }
-  for (std::size_t round = 0; comm_.any(!open.empty()); ++round) {
+  std::vector<std::size_t> waiting(open.size());
+  for (std::size_t k = 0; k < open.size(); ++k) waiting[k] = k;
+  while (comm_.any(!waiting.empty())) {
     std::vector<std::vector<Candidate>> requests(ranks);
-    std::vector<std::vector<int>> asked(ranks);
-    std::vector<int> orphaned;
-    for (const int r : open) {
-      const std::vector<Candidate>& list = choices[static_cast<std::size_t>(r)];
-      if (round >= list.size()) {
-        orphaned.push_back(r);
+    std::vector<std::vector<std::size_t>> asked(ranks);
+    for (const std::size_t k : waiting) {
+      const Point<Dim> x = position(open[k]);
+      if (try_local(open[k], x, choices[k], next[k])) continue;
+      if (next[k] == choices[k].size()) {
+        ++report_.orphans;
+        describe_orphan(open[k]);
         continue;
       }
-      const Candidate& candidate = list[round];
-      const int rank = owner(candidate).rank;
-      requests[static_cast<std::size_t>(rank)].push_back(candidate);
-      asked[static_cast<std::size_t>(rank)].push_back(r);
+      Candidate candidate;
+      locate(choices[k][next[k]], x, candidate);
+      const auto rank = static_cast<std::size_t>(owner(candidate).rank);
+      requests[rank].push_back(candidate);
+      asked[rank].push_back(k);
     }
-    report_.orphans += static_cast<std::int64_t>(orphaned.size());
-    if (!orphaned.empty()) describe_orphan(receivers_[static_cast<std::size_t>(orphaned.front())]);
-
+    waiting.clear();
     const std::vector<std::vector<Candidate>> incoming = comm_.exchange(requests);
     std::vector<std::vector<std::uint8_t>> answers(ranks);
     for (std::size_t rank = 0; rank < ranks; ++rank)
       for (const Candidate& request : incoming[rank]) {
         Donor<Dim> donor;
-        const bool good = accept(request, donor);
-        answers[rank].push_back(good ? 1 : 0);
-        if (good) donors_[rank].push_back(donor);
+        answers[rank].push_back(accept(request, donor) ? 1 : 0);
+        if (answers[rank].back()) donors_[rank].push_back(donor);
       }
     const std::vector<std::vector<std::uint8_t>> replies = comm_.exchange(answers);
-    open.clear();
     for (std::size_t rank = 0; rank < ranks; ++rank)
-      for (std::size_t k = 0; k < asked[rank].size(); ++k) {
-        const int r = asked[rank][k];
-        if (!replies[rank][k]) {
-          open.push_back(r);
+      for (std::size_t q = 0; q < asked[rank].size(); ++q) {
+        const std::size_t k = asked[rank][q];
+        if (!replies[rank][q]) {
+          ++next[k];
+          waiting.push_back(k);
           continue;
         }
-        accepted_[rank].push_back(r);
-        report_.tight += choices[static_cast<std::size_t>(r)][round].tight;
+        report_.tight += choices[k][next[k]].tight;
+        accepted_[rank].push_back(static_cast<int>(remote_receivers_.size()));
+        remote_receivers_.push_back(open[k]);
       }
   }
 }

@@ -43,20 +43,27 @@ template <int Dim>
 template <int Components, class Decode, class Encode>
 void Overlap<Dim>::fill(std::vector<Field<Dim>>& fields, Decode&& decode, Encode&& encode) const {
   using Value = std::array<double, Components>;
+  const auto put = [&](std::size_t grid, int tile, std::size_t cell, const Value& W) {
+    Value U;
+    encode(W.data(), U.data());
+    TileBlock& block = fields[grid].tile(tile);
+    for (int c = 0; c < Components; ++c) block.component(c)[cell] = U[static_cast<std::size_t>(c)];
+  };
+  // Donors are active cells that are not exposed, so none of them is written here: the order does not matter.
+  for (std::size_t g = 0; g < tiles_.size(); ++g)
+    for (std::size_t t = 0; t < tiles_[g].size(); ++t)
+      for (const Link& link : tiles_[g][t].links)
+        put(g, static_cast<int>(t), link.cell, interpolate<Components>(fields[static_cast<std::size_t>(link.donor.grid)], link.donor, decode));
+  if (comm_.size() == 1) return;
   std::vector<std::vector<Value>> outgoing(donors_.size());
-  for (std::size_t r = 0; r < donors_.size(); ++r) {
-    outgoing[r].reserve(donors_[r].size());
+  for (std::size_t r = 0; r < donors_.size(); ++r)
     for (const Donor<Dim>& donor : donors_[r])
       outgoing[r].push_back(interpolate<Components>(fields[static_cast<std::size_t>(donor.grid)], donor, decode));
-  }
   const std::vector<std::vector<Value>> incoming = comm_.exchange(outgoing);
-  Value U;
   for (std::size_t r = 0; r < incoming.size(); ++r)
     for (std::size_t k = 0; k < incoming[r].size(); ++k) {
-      const Receiver& receiver = receivers_[static_cast<std::size_t>(accepted_[r][k])];
-      encode(incoming[r][k].data(), U.data());
-      TileBlock& block = fields[static_cast<std::size_t>(receiver.grid)].tile(receiver.tile);
-      for (int c = 0; c < Components; ++c) block.component(c)[receiver.cell] = U[static_cast<std::size_t>(c)];
+      const Receiver& receiver = remote_receivers_[static_cast<std::size_t>(accepted_[r][k])];
+      put(static_cast<std::size_t>(receiver.grid), receiver.tile, receiver.cell, incoming[r][k]);
     }
 }
 
@@ -69,11 +76,13 @@ std::vector<std::array<double, Components>> Overlap<Dim>::sample(const std::vect
     int point, rank_of_choice;
   };
   std::vector<Found> mine;
+  std::vector<Choice> choices;
   for (std::size_t p = 0; p < points.size(); ++p) {
-    const std::vector<Candidate> choices = candidates(-1, points[p]);
+    list_choices(-1, points[p], choices);
     for (std::size_t k = 0; k < choices.size(); ++k) {
+      Candidate candidate;
       Donor<Dim> donor;
-      if (!accept(choices[k], donor)) continue;
+      if (!locate(choices[k], points[p], candidate) || !accept(candidate, donor)) continue;
       mine.push_back({interpolate<Components>(fields[static_cast<std::size_t>(donor.grid)], donor, decode), static_cast<int>(p),
                       static_cast<int>(k)});
       break;

@@ -54,15 +54,14 @@ struct OverlapBody {
 template <int Dim>
 struct Donor {
   int grid = 0, tile = 0;
-  std::size_t center = 0;                                // TileShape offset of the stencil's middle cell
-  std::array<std::array<double, 3>, Dim> weights{};      // Lagrange weights along each direction
+  std::size_t center = 0;                            // TileShape offset of the stencil's middle cell
+  std::array<std::array<double, 3>, Dim> weights{};  // Lagrange weights along each direction
 };
 
 /// A local cell that receives a value.
 struct Receiver {
   int grid = 0, tile = 0;
   std::size_t cell = 0;  // TileShape offset
-  bool exposed = false;
 };
 
 template <int Dim>
@@ -72,8 +71,8 @@ class Overlap {
           OverlapOptions options);
 
   /// Cuts holes and finds donors for bodies at `poses`, writing the masks of the grids. `fresh`: all cells hold valid
-  /// values (initial state, restart), none counts as exposed. Returns false, having done nothing, when no pose changed and
-  /// no cell was exposed last time. Collective.
+  /// values (initial state, restart), none counts as exposed. Only tiles near bodies that moved now or at the last call are
+  /// touched. Returns false, having done nothing, when there are none. Collective.
   bool update(const std::vector<Pose<Dim>>& poses, bool fresh);
 
   /// Interpolates into fringe and exposed cells. `fields` holds one field per component grid with ghosts filled from
@@ -88,6 +87,8 @@ class Overlap {
                                                      Decode&& decode) const;
 
   const OverlapReport& report() const { return report_; }
+  /// The report with the numbers of fringe and hole cells, which are not kept up from step to step. Collective.
+  OverlapReport census() const;
   const std::vector<ComponentGrid<Dim>>& grids() const { return grids_; }
 
   /// Share of point x that a cell of `grid` stands for when cells of overlapping grids are summed: a smooth partition of unity.
@@ -100,29 +101,60 @@ class Overlap {
     int grid = -1;
     bool tight = false;                // a donor of lower order will do
   };
+  struct Choice {  // a candidate not yet looked at: a body, or −1 for the background
+    int body = -1;
+    bool tight = false;
+  };
+  struct Link {  // a cell and its donor on the same rank
+    std::size_t cell = 0;
+    Donor<Dim> donor;
+  };
+  struct TileOverlap {                      // of one tile
+    std::vector<std::uint8_t> active_before;  // TileMask::active and ::state before the last cut
+    std::vector<CellState> state_before;
+    std::vector<std::size_t> receivers;     // fringe and exposed cells
+    std::vector<Link> links;                // of those with a donor on this rank
+    bool recut = false, was_recut = false;  // at this and the last update
+    bool alone = false;                     // body grids: cut by nothing but its own outer edge
+    int exposed = 0, tight = 0;
+    Index<Dim> low{}, high{};               // background: region of inactive cells
+  };
 
-  void cut_background(ComponentGrid<Dim>& grid);
-  void cut_body_grid(ComponentGrid<Dim>& grid);
-  void mark_fringe(ComponentGrid<Dim>& grid, int tile);
-  void begin_tile(ComponentGrid<Dim>& grid, int tile, std::uint8_t active);
+  // cut.cpp
+  bool note_motion(const std::vector<Pose<Dim>>& poses, bool fresh);
+  void cut_background(int grid, bool fresh);
+  void cut_body_grid(int grid, bool fresh);
+  void cut_by_body(int grid, int tile, std::size_t body, Index<Dim>& low, Index<Dim>& high);
+  void begin_cut(int grid, int tile, std::uint8_t active);
+  void mark_fringe(int grid, int tile, Index<Dim> low, Index<Dim> high);
+  void collect_receivers(int grid, int tile, const Index<Dim>& low, const Index<Dim>& high);
   double edge_distance(const Point<Dim>& x) const;
   bool wanted_by_background(const Point<Dim>& x) const;
   bool wanted_by_body(int body, double own_distance, const Point<Dim>& x) const;
   bool covers_background(const OverlapBody<Dim>& body, double distance, double edge) const;
+  double inner_reach(const OverlapBody<Dim>& body) const;
+  void count();
 
-  void collect_receivers();
+  // donors.cpp
   void find_donors();
-  std::vector<Candidate> candidates(int own_grid, const Point<Dim>& x) const;
-  bool accept(const Candidate& request, Donor<Dim>& donor) const;
-  bool accept_reduced(const Candidate& request, int tile, const Index<Dim>& middle, Donor<Dim>& donor) const;
-  bool usable(int grid, int tile, std::size_t cell) const;
-  bool stencil_valid(int grid, int tile, const Index<Dim>& center) const;
+  void find_remote_donors(std::vector<Receiver> open, std::vector<std::vector<Choice>> choices, std::vector<std::size_t> next);
+  bool try_local(const Receiver& receiver, const Point<Dim>& x, const std::vector<Choice>& choices, std::size_t& next);
+  void list_choices(int own_grid, const Point<Dim>& x, std::vector<Choice>& choices) const;
+  bool locate(const Choice& choice, const Point<Dim>& x, Candidate& found) const;
   bool on_background(const Point<Dim>& x, Candidate& found) const;
   Neighbor owner(const Candidate& candidate) const;
-  void describe_orphan(const Receiver& receiver);
+  bool accept(const Candidate& request, Donor<Dim>& donor) const;
+  bool accept_reduced(const Candidate& request, int tile, const Index<Dim>& middle, Donor<Dim>& donor) const;
+  bool stencil_valid(int grid, int tile, const Index<Dim>& center) const;
+  bool usable(int grid, int tile, std::size_t cell) const;
   int component(int body, const Point<Dim>& X) const;
   Point<Dim> position(const Receiver& receiver) const;
-  void count();
+  void describe_orphan(const Receiver& receiver);
+
+  TileOverlap& tile_of(int grid, int tile) { return tiles_[static_cast<std::size_t>(grid)][static_cast<std::size_t>(tile)]; }
+  const TileOverlap& tile_of(int grid, int tile) const {
+    return tiles_[static_cast<std::size_t>(grid)][static_cast<std::size_t>(tile)];
+  }
 
   Communicator comm_;
   std::vector<ComponentGrid<Dim>>& grids_;
@@ -133,15 +165,16 @@ class Overlap {
 
   std::vector<Pose<Dim>> poses_;
   std::vector<Frame<Dim>> frames_;
-  std::vector<Box<Dim>> reaches_;                        // of the bodies, in space
-  std::vector<std::vector<Point<Dim>>> body_centers_;    // per grid: cell centres in the body's frame (body grids)
-  std::vector<std::vector<double>> own_distances_;       // per grid: distance of the cell centres from the own body
-  std::vector<std::vector<std::vector<std::uint8_t>>> previous_;  // per grid and tile: `active` before the last cut
-  bool exposed_last_ = false;
+  std::vector<Box<Dim>> reaches_;                      // of the bodies, in space
+  std::vector<Box<Dim>> touched_;                      // per body: where it is and was, if it matters to this update; else empty
+  std::vector<std::uint8_t> moved_;                    // per body: at the last update
+  std::vector<std::vector<Point<Dim>>> body_centers_;  // per grid: cell centres in the body's frame (body grids)
+  std::vector<std::vector<double>> own_distances_;     // per grid: distance of the cell centres from the own body
 
-  std::vector<Receiver> receivers_;
-  std::vector<std::vector<int>> accepted_;               // per rank: receivers served by it, in the order of its donors
-  std::vector<std::vector<Donor<Dim>>> donors_;          // per rank: donors on this rank that serve it
+  std::vector<std::vector<TileOverlap>> tiles_;        // per grid, tile
+  std::vector<Receiver> remote_receivers_;             // with a donor on another rank
+  std::vector<std::vector<int>> accepted_;             // per rank: remote receivers served by it, in the order of its donors
+  std::vector<std::vector<Donor<Dim>>> donors_;        // per rank: donors on this rank that serve it
   OverlapReport report_;
 };
 

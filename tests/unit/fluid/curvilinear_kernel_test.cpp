@@ -22,11 +22,11 @@ StepOptions options(Limiter limiter = Limiter::mc, RiemannSolver solver = Rieman
 
 Point<2> square(int i, int j) { return {h * i, h * j}; }
 /// Smoothly deforming nodes.
-Point<2> wavy(int i, int j, double t) {
+[[gnu::noinline]] Point<2> wavy(int i, int j, double t) {
   const double x = h * i, y = h * j;
   return {x + 0.03 * std::sin(2 * pi * (x - 0.7 * y) + 3 * t) + 0.2 * t, y + 0.03 * std::cos(2 * pi * (0.6 * x + y) - 2 * t) - 0.1 * t};
 }
-Point<2> shear_velocity(int i, int j) { return {0.3 * std::sin(0.4 * j) + 0.1 * i * h, 0.2 * std::cos(0.3 * i)}; }
+[[gnu::noinline]] Point<2> shear_velocity(int i, int j) { return {0.3 * std::sin(0.4 * j) + 0.1 * i * h, 0.2 * std::cos(0.3 * i)}; }
 
 struct Scene {
   explicit Scene(Index<2> cells, const PlaneTile::StateOf& state = noisy_state) : tile(cells, state), nodes(cells) {

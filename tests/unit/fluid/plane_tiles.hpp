@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -81,14 +82,17 @@ inline double distance(const Conserved<2>& a, const Conserved<2>& b) {
 }
 
 /// Smooth flow with features in both directions.
-inline Primitive<2> wavy_state(double x, double y) {
+/// Not inlined, so that every caller gets the same bits.
+[[gnu::noinline]] inline Primitive<2> wavy_state(double x, double y) {
   return {1 + 0.3 * std::sin(2.1 * x + 0.7) * std::cos(1.3 * y), {0.4 * std::cos(1.7 * y + x), -0.3 + 0.5 * std::sin(0.9 * x - y)},
           1.2 + 0.4 * std::cos(1.1 * x + 1.9 * y)};
 }
-/// A fixed sequence of numbers in [0, 1) that differ from cell to cell without any pattern.
+/// Numbers in [0, 1) without any pattern from cell to cell, the same with every compiler.
 inline double noise(int i, int j, int k = 0) {
-  const double s = std::sin(12.9898 * i + 78.233 * j + 37.719 * k) * 43758.5453;
-  return s - std::floor(s);
+  auto n = static_cast<std::uint32_t>(i + 100) * 73856093u ^ static_cast<std::uint32_t>(j + 100) * 19349663u ^
+           static_cast<std::uint32_t>(k + 100) * 83492791u;
+  for (int round = 0; round < 3; ++round) n = (n ^ (n >> 15)) * 0x2c1b3c6du;
+  return (n >> 8) * 0x1p-24;
 }
 inline Primitive<2> noisy_state(int i, int j) {
   return {0.2 + noise(i, j, 1), {2 * noise(i, j, 2) - 1, 2 * noise(i, j, 3) - 1}, 0.1 + noise(i, j, 4)};

@@ -78,7 +78,7 @@ double fringe_error(double spacing) {
   const std::vector<Pose<2>> poses = {{{-0.35, 0.1}, 0.5}, {{0.4, -0.1}, 1.1}};
   scene.overlap->update(poses, true);
   EXPECT_EQ(scene.overlap->report().orphans, 0) << scene.overlap->report().first_orphan;
-  EXPECT_GT(scene.overlap->report().holes, 0);
+  EXPECT_GT(scene.overlap->census().holes, 0);
   scene.set(poses, smooth);
   scene.fill();
   double error = 0;
@@ -161,7 +161,34 @@ TEST(Overlap, ExposedCellsTakeValuesFromTheMovedGrid) {
 TEST(Overlap, NothingIsDoneForBodiesAtRest) {
   OverlapScene scene(0.02, {Outline::circle(0.3)});
   EXPECT_TRUE(scene.overlap->update({{{0, 0}, 0}}, true));
+  EXPECT_TRUE(scene.overlap->update({{{0, 0}, 0}}, false));  // once more, to forget what was exposed
   EXPECT_FALSE(scene.overlap->update({{{0, 0}, 0}}, false));
+}
+
+TEST(Overlap, TouchingOnlyWhatMovedGivesTheSameCut) {
+  const std::vector<Outline> outlines = {Outline::circle(0.2), Outline::ellipse(0.2, 0.1), Outline::circle(0.1)};
+  OverlapScene stepwise(0.02, outlines), afresh(0.02, outlines);
+  std::vector<Pose<2>> poses = {{{-0.5, -0.5}, 0}, {{0.5, 0.5}, 0.3}, {{0.2, 0.25}, 0}};
+  stepwise.overlap->update(poses, true);
+  for (int step = 0; step < 12; ++step) {
+    if (step < 8) poses[0].position += Point<2>(0.011, 0.006);
+    if (step > 2 && step < 6) poses[2].position += Point<2>(0.004, -0.01);
+    stepwise.overlap->update(poses, false);
+    afresh.overlap->update(poses, true);
+    for (std::size_t g = 0; g < stepwise.grids.size(); ++g)
+      for (std::size_t t = 0; t < stepwise.grids[g].masks.size(); ++t) {
+        EXPECT_EQ(stepwise.grids[g].masks[t].active, afresh.grids[g].masks[t].active) << step << ' ' << g;
+        EXPECT_EQ(stepwise.grids[g].masks[t].state, afresh.grids[g].masks[t].state) << step << ' ' << g;
+        EXPECT_EQ(stepwise.grids[g].masks[t].active_count, afresh.grids[g].masks[t].active_count);
+      }
+  }
+  stepwise.set(poses, smooth);
+  afresh.set(poses, smooth);
+  stepwise.fill();
+  afresh.fill();
+  stepwise.for_all([&](std::size_t g, int t, const Index<2>& c, double& value) {
+    EXPECT_EQ(value, afresh.fields[g].tile(t).component(0)[afresh.grids[g].shape.at(c)]);
+  });
 }
 
 TEST(Overlap, SharesSumToOne) {
