@@ -8,9 +8,7 @@
 namespace mortise {
 namespace {
 
-bool far_apart(const GapBody<2>& a, const GapBody<2>& b, double within) {
-  return !Frame<2>(a.pose).to_space(a.atlas->reach()).grown(within).meets(Frame<2>(b.pose).to_space(b.atlas->reach()));
-}
+Box<2> bounds(const GapBody<2>& body) { return Frame<2>(body.pose).to_space(body.outline->bounds()); }
 
 ContactPoint<2> gap_between(const std::vector<GapBody<2>>& bodies, int a, int b) {
   const auto &A = bodies[static_cast<std::size_t>(a)], &B = bodies[static_cast<std::size_t>(b)];
@@ -30,11 +28,11 @@ Point<2> support(const GapBody<2>& body, const Point<2>& direction) {
   return frame.to_space(*best);
 }
 
-bool far_apart(const GapBody<1>&, const GapBody<1>&, double) { return false; }
-
 double face(const GapBody<1>& body, double direction) {
   return body.pose.position[0] + (direction > 0 ? body.atlas->right() : body.atlas->left());
 }
+
+Box<1> bounds(const GapBody<1>& body) { return {Point<1>(face(body, -1)), Point<1>(face(body, 1))}; }
 
 ContactPoint<1> gap_between(const std::vector<GapBody<1>>& bodies, int a, int b) {
   const auto &A = bodies[static_cast<std::size_t>(a)], &B = bodies[static_cast<std::size_t>(b)];
@@ -51,20 +49,22 @@ template <int Dim>
 std::vector<ContactPoint<Dim>> find_gaps(const std::vector<GapBody<Dim>>& bodies, const Box<Dim>& domain, const std::array<bool, Dim>& periodic,
                                          double within) {
   std::vector<ContactPoint<Dim>> gaps;
+  std::vector<Box<Dim>> boxes;
+  for (const GapBody<Dim>& body : bodies) boxes.push_back(bounds(body));
   const int n = static_cast<int>(bodies.size());
   for (int a = 0; a < n; ++a) {
+    const Box<Dim> near = boxes[static_cast<std::size_t>(a)].grown(within);
     const GapBody<Dim>& body = bodies[static_cast<std::size_t>(a)];
     for (int b = a + 1; b < n; ++b) {
-      if (far_apart(body, bodies[static_cast<std::size_t>(b)], within)) continue;
+      if (!near.meets(boxes[static_cast<std::size_t>(b)])) continue;
       const ContactPoint<Dim> point = gap_between(bodies, a, b);
       if (point.gap < within) gaps.push_back(point);
     }
-    const Box<Dim> reach = Frame<Dim>(body.pose).to_space(body.atlas->reach()).grown(within);
     for (int d = 0; d < Dim; ++d)
       for (const double sign : {-1.0, 1.0}) {
         if (periodic[static_cast<std::size_t>(d)]) continue;
         const double edge = sign < 0 ? domain.low[d] : domain.high[d];
-        if (sign * (edge - (sign < 0 ? reach.low[d] : reach.high[d])) > 0) continue;
+        if (sign * (edge - (sign < 0 ? near.low[d] : near.high[d])) > 0) continue;
         Point<Dim> normal = Point<Dim>::Zero();
         normal[d] = sign;
         const Point<Dim> tip = support(body, normal);

@@ -19,7 +19,7 @@ struct GapBody {
 };
 
 /// Closest points of all pairs of bodies, and of bodies and sides of the domain, that are closer than `within`. Sides of
-/// periodic directions do not count. Only pairs whose surroundings (Atlas::reach grown by `within`) meet are looked at.
+/// periodic directions do not count. Only pairs whose bounding boxes are that close are looked at.
 template <int Dim>
 std::vector<ContactPoint<Dim>> find_gaps(const std::vector<GapBody<Dim>>& bodies, const Box<Dim>& domain, const std::array<bool, Dim>& periodic,
                                          double within);

@@ -1,7 +1,7 @@
 // MUSCL-Hancock step on a plane Cartesian tile, row by row in one sweep over memory, second order:
 //   U' = U − Δt/h_x (F_{i+½} − F_{i−½}) − Δt/h_y (G_{j+½} − G_{j−½}).
-// Row r is made of three loops over short rows that stay in the first-level cache, each with a chain of operations short
-// enough for the processor to work on several vectors at once:
+// Row r is made of three loops over short rows that stay in the first-level cache, each with a chain of operations
+// short enough for the processor to work on several vectors at once:
 //   1. make row r + 1 primitive, reconstruct row r and store its face states;
 //   2. Riemann problems at the south faces of row r, then finish row r − 1;
 //   3. Riemann problems at the west faces of row r.
@@ -17,10 +17,16 @@ template <class Solver, Limiter limiter>
 class CartesianKernel {
  public:
   CartesianKernel(const CartesianTile<2>& tile, double dt, const StepOptions& options)
-      : tile_(tile), nx_(tile.shape->cells[0]), ny_(tile.shape->cells[1]), plane_(tile.shape->plane),
-        gamma_(options.gamma), courant_{dt / tile.spacing[0], dt / tile.spacing[1]},
-        inverse_spacing_{1 / tile.spacing[0], 1 / tile.spacing[1]}, floor_(rows::limiter_floor<2>(options)),
-        work_(nx_, row_count), stride_(work_.stride()) {
+      : tile_(tile),
+        nx_(tile.shape->cells[0]),
+        ny_(tile.shape->cells[1]),
+        plane_(tile.shape->plane),
+        gamma_(options.gamma),
+        courant_{dt / tile.spacing[0], dt / tile.spacing[1]},
+        inverse_spacing_{1 / tile.spacing[0], 1 / tile.spacing[1]},
+        floor_(rows::limiter_floor<2>(options)),
+        work_(nx_, row_count),
+        stride_(work_.stride()) {
     rows::fill_weights(work_.row(weights), nx_, nullptr);
   }
 
@@ -44,7 +50,17 @@ class CartesianKernel {
   using State = Primitive<2, Pack>;
   using Flux = Conserved<2, Pack>;
   // Rows of the workspace: what comes in pairs is indexed by the parity of the tile's row.
-  enum Row { primitive = 0, north = 10, south = 18, west = 22, east = 26, x_flux = 30, y_flux = 34, weights = 42, row_count = 43 };
+  enum Row {
+    primitive = 0,
+    north = 10,
+    south = 18,
+    west = 22,
+    east = 26,
+    x_flux = 30,
+    y_flux = 34,
+    weights = 42,
+    row_count = 43
+  };
   double* pair(Row first, int rows_each, int r) const { return work_.row(first + rows_each * (r & 1)); }
   double* primitive_row(int r) const { return pair(primitive, 5, r); }
 
@@ -66,12 +82,12 @@ class CartesianKernel {
     for (int i = row_start; i < k.nx_ + 2; i += simd_width) {
       for (std::size_t c = 0; c < 4; ++c) prefetch_read(above + c * k.plane_ + i + ahead);
       const State below = rows::load_primitive<2>(other + i, s);
-      const State next = rows::make_primitive(other + i, s, rows::load_conserved<2>(above + i, k.plane_), k.nx_ + 2 - i, k.gamma_);
+      const State next =
+          rows::make_primitive(other + i, s, rows::load_conserved<2>(above + i, k.plane_), k.nx_ + 2 - i, k.gamma_);
       const State W = rows::load_primitive<2>(here + i, s);
-      HalfSlopes<2, Pack> h = {
-          {limited_half_slopes<limiter>(rows::load_primitive<2>(here + i - 1, s), W,
-                                        rows::load_primitive<2>(here + i + 1, s), k.floor_),
-           limited_half_slopes<limiter>(below, W, next, k.floor_)}};
+      HalfSlopes<2, Pack> h = {{limited_half_slopes<limiter>(rows::load_primitive<2>(here + i - 1, s), W,
+                                                             rows::load_primitive<2>(here + i + 1, s), k.floor_),
+                                limited_half_slopes<limiter>(below, W, next, k.floor_)}};
       State half = half_step(W, load(here + i + 4 * s), h, cartesian_terms(W, h, k.courant_.data()), k.gamma_);
       ensure_positive_faces(W, half, h);
       rows::store_primitive<2>(wests + i, s, half - h[0]);
@@ -101,7 +117,8 @@ class CartesianKernel {
   /// Finishes row r. Cells that do not count keep their value.
   static Pack update(const CartesianKernel k, int r, Pack rate) {
     const std::size_t s = k.stride_;
-    const double *const F = k.work_.row(x_flux), *const G = k.pair(y_flux, 4, r), *const above = k.pair(y_flux, 4, r + 1);
+    const double *const F = k.work_.row(x_flux), *const G = k.pair(y_flux, 4, r),
+                        *const above = k.pair(y_flux, 4, r + 1);
     const double* const weight = k.work_.row(weights);
     const double* const now = k.tile_.now + k.tile_.shape->at(0, r);
     double* const next = k.tile_.next + k.tile_.shape->at(0, r);
@@ -111,7 +128,8 @@ class CartesianKernel {
       const PackMask counts = load(weight + i) > 0;
       const Flux dF = rows::difference<2>(rows::load_conserved<2>(F + i + 1, s), rows::load_conserved<2>(F + i, s));
       const Flux dG = rows::difference<2>(rows::load_conserved<2>(above + i, s), rows::load_conserved<2>(G + i, s));
-      const Flux change = rows::combine<2>(dF, dG, [&](Pack f, Pack g) { return k.courant_[0] * f + k.courant_[1] * g; });
+      const Flux change =
+          rows::combine<2>(dF, dG, [&](Pack f, Pack g) { return k.courant_[0] * f + k.courant_[1] * g; });
       const Flux U = rows::load_conserved<2>(now + i, k.plane_);
       const Flux V = rows::difference<2>(U, change);
       rows::store_conserved<2>(next + i, k.plane_, rows::select<2>(counts, V, U));

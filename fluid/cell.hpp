@@ -24,7 +24,7 @@ void put(TileBlock& block, std::size_t cell, const Conserved<Dim>& U) {
 
 /// The components of a state in the order of the field, for interpolation: (ρ, u, p̃) and back.
 template <int Dim>
-void decode(const double* U, double* W, double gamma) {
+inline void decode(const double* U, double* W, double gamma) {
   Conserved<Dim> c;
   c.density = U[0];
   for (std::size_t d = 0; d < Dim; ++d) c.momentum[d] = U[1 + d];
@@ -36,7 +36,7 @@ void decode(const double* U, double* W, double gamma) {
 }
 
 template <int Dim>
-void encode(const double* W, double* U, double gamma) {
+inline void encode(const double* W, double* U, double gamma) {
   Primitive<Dim> p;
   p.density = W[0];
   for (std::size_t d = 0; d < Dim; ++d) p.velocity[d] = W[1 + d];

@@ -13,9 +13,16 @@ template <class Solver, Limiter limiter>
 class CurvilinearKernel {
  public:
   CurvilinearKernel(const CurvilinearTile& tile, double dt, const StepOptions& options)
-      : tile_(tile), nx_(tile.shape->cells[0]), ny_(tile.shape->cells[1]), plane_(tile.shape->plane),
-        gamma_(options.gamma), dt_(dt), floor_(rows::limiter_floor<2>(options)), work_(nx_, row_count),
-        stride_(work_.stride()), nodes_(tile, work_.row(zeros)) {
+      : tile_(tile),
+        nx_(tile.shape->cells[0]),
+        ny_(tile.shape->cells[1]),
+        plane_(tile.shape->plane),
+        gamma_(options.gamma),
+        dt_(dt),
+        floor_(rows::limiter_floor<2>(options)),
+        work_(nx_, row_count),
+        stride_(work_.stride()),
+        nodes_(tile, work_.row(zeros)) {
     std::fill_n(work_.row(zeros) + row_start, nx_ + 2 - row_start + simd_width, 0.0);
     rows::fill_weights(work_.row(weights), nx_, nullptr);
   }
@@ -25,8 +32,10 @@ class CurvilinearKernel {
     Pack rate{};
     for (int r = tile_.south.present ? 0 : -1; r <= ny_; ++r) {
       reconstruct(*this, r);
-      if (r == 0 && tile_.south.present) wall_fluxes(*this);
-      else if (r >= 0) south_fluxes(*this, r);
+      if (r == 0 && tile_.south.present)
+        wall_fluxes(*this);
+      else if (r >= 0)
+        south_fluxes(*this, r);
       if (r >= 1) {
         if (tile_.active) rows::fill_weights(work_.row(weights), nx_, tile_.active + tile_.shape->at(0, r - 1));
         rate = update(*this, r - 1, rate);
@@ -40,10 +49,22 @@ class CurvilinearKernel {
   using State = Primitive<2, Pack>;
   using Flux = Conserved<2, Pack>;
   using Edge = MovingEdge<Pack>;
-  // Rows of the workspace. What comes in pairs is indexed by the parity of the tile's row. Behind an edge is its length.
+  // Rows of the workspace. What comes in pairs is indexed by the parity of the tile's row. Behind an edge is its
+  // length.
   enum Row {
-    primitive = 0, north = 10, y_flux = 18, south_edge = 26, west_edge = 34, area = 42, south = 44, west = 48, east = 52,
-    x_flux = 56, weights = 60, zeros = 61, row_count = 62
+    primitive = 0,
+    north = 10,
+    y_flux = 18,
+    south_edge = 26,
+    west_edge = 34,
+    area = 42,
+    south = 44,
+    west = 48,
+    east = 52,
+    x_flux = 56,
+    weights = 60,
+    zeros = 61,
+    row_count = 62
   };
   double* pair(Row first, int rows_each, int r) const { return work_.row(first + rows_each * (r & 1)); }
   double* primitive_row(int r) const { return pair(primitive, 5, r); }
@@ -81,7 +102,8 @@ class CurvilinearKernel {
       for (std::size_t c = 0; c < 4; ++c) prefetch_read(above + c * k.plane_ + i + ahead);
       k.nodes_.prefetch(i, r + 3);
       const State below = rows::load_primitive<2>(other + i, s);
-      const State next = rows::make_primitive(other + i, s, rows::load_conserved<2>(above + i, k.plane_), k.nx_ + 2 - i, k.gamma_);
+      const State next =
+          rows::make_primitive(other + i, s, rows::load_conserved<2>(above + i, k.plane_), k.nx_ + 2 - i, k.gamma_);
       const State W = rows::load_primitive<2>(here + i, s);
       HalfSlopes<2, Pack> h = {{limited_half_slopes<limiter>(rows::load_primitive<2>(here + i - 1, s), W,
                                                              rows::load_primitive<2>(here + i + 1, s), k.floor_),
@@ -147,7 +169,8 @@ class CurvilinearKernel {
   }
   /// The pressure is given per cell of the tile: it is copied to a row that may be read in whole vectors.
   static void wall_fluxes(const CurvilinearKernel k) {
-    double *const pressure = k.work_.row(south), *const G = k.pair(y_flux, 4, 0), *const edges = k.pair(south_edge, 4, 0);
+    double *const pressure = k.work_.row(south), *const G = k.pair(y_flux, 4, 0),
+                  *const edges = k.pair(south_edge, 4, 0);
     std::copy_n(k.tile_.south.pressure, k.nx_, pressure);
     for (int i = row_start; i < k.nx_ + 2; i += simd_width)
       rows::store_conserved<2>(G + i, k.stride_, wall_flux<2>(load(pressure + i), k.face(edges + i)));
@@ -156,7 +179,8 @@ class CurvilinearKernel {
   /// Finishes row r. Cells that do not count keep their value.
   static Pack update(const CurvilinearKernel k, int r, Pack rate) {
     const std::size_t s = k.stride_;
-    const double *const F = k.work_.row(x_flux), *const G = k.pair(y_flux, 4, r), *const above = k.pair(y_flux, 4, r + 1);
+    const double *const F = k.work_.row(x_flux), *const G = k.pair(y_flux, 4, r),
+                        *const above = k.pair(y_flux, 4, r + 1);
     const double *const wests = k.pair(west_edge, 4, r), *const souths = k.pair(south_edge, 4, r);
     const double *const norths = k.pair(south_edge, 4, r + 1), *const volumes = k.pair(area, 1, r);
     const double* const weight = k.work_.row(weights);

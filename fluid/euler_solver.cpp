@@ -108,7 +108,10 @@ void EulerSolver<Dim>::commit(const std::vector<Pose<Dim>>& poses, double time) 
   poses_ = poses;
   if (!setup_.bodies.empty()) {
     cut(poses, false);
-    fill_ghosts(time);
+    {
+      const auto scope = timers_("ghosts");
+      for (std::size_t g = 0; g < grids_.size(); ++g) exchanges_[g].fill(now_[g], filler_, overlap_->donor_tiles(static_cast<int>(g)));
+    }
     interpolate();
   }
   fill_ghosts(time);

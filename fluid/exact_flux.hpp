@@ -24,9 +24,9 @@ struct ExactRiemann {
     T from_left{};
     for (int k = 0; k < lanes<T>; ++k) {
       const double size = lane(length, k);
-      const Upwind at_face = solve({lane(L.density, k), {lane(ql, k) / size}, lane(L.pressure, k)},
-                                   {lane(R.density, k), {lane(qr, k) / size}, lane(R.pressure, k)},
-                                   lane(swept, k) / size, gamma);
+      const Upwind at_face =
+          solve({lane(L.density, k), {lane(ql, k) / size}, lane(L.pressure, k)},
+                {lane(R.density, k), {lane(qr, k) / size}, lane(R.pressure, k)}, lane(swept, k) / size, gamma);
       set_lane(star.density, k, at_face.state.density);
       set_lane(star.velocity[0], k, at_face.state.velocity[0] * size);
       set_lane(star.pressure, k, at_face.state.pressure);
@@ -56,8 +56,8 @@ struct ExactRiemann {
   }
 
   template <int Dim, class T, class Face>
-  static Conserved<Dim, T> physical_flux(const Primitive<1, T>& star, const std::array<T, Dim>& velocity, const Face& face,
-                                         double gamma) {
+  static Conserved<Dim, T> physical_flux(const Primitive<1, T>& star, const std::array<T, Dim>& velocity,
+                                         const Face& face, double gamma) {
     const T advection = face.relative(star.velocity[0]);
     T speed2 = velocity[0] * velocity[0];
     for (std::size_t d = 1; d < Dim; ++d) speed2 = speed2 + velocity[d] * velocity[d];

@@ -9,9 +9,12 @@ namespace mortise {
 StepResult godunov_step(const MovingLineTile& tile, double dt, const StepOptions& options) {
   MORTISE_ASSERT(tile.line.shape->cells[0] % 2 == 0, "tiles have an even number of cells");
   switch (options.riemann) {
-    case RiemannSolver::exact: return line_step<ExactRiemann>(tile, dt, options);
-    case RiemannSolver::hlle: return line_step<Hlle>(tile, dt, options);
-    case RiemannSolver::hllc: break;
+    case RiemannSolver::exact:
+      return line_step<ExactRiemann>(tile, dt, options);
+    case RiemannSolver::hlle:
+      return line_step<Hlle>(tile, dt, options);
+    case RiemannSolver::hllc:
+      break;
   }
   return line_step<Hllc>(tile, dt, options);
 }
@@ -25,9 +28,12 @@ template <>
 StepResult godunov_step<2>(const CartesianTile<2>& tile, double dt, const StepOptions& options) {
   MORTISE_ASSERT(tile.shape->cells[0] % 2 == 0, "tiles have an even number of cells");
   switch (options.riemann) {
-    case RiemannSolver::exact: return cartesian_step<ExactRiemann>(tile, dt, options);
-    case RiemannSolver::hlle: return cartesian_step<Hlle>(tile, dt, options);
-    case RiemannSolver::hllc: break;
+    case RiemannSolver::exact:
+      return cartesian_step<ExactRiemann>(tile, dt, options);
+    case RiemannSolver::hlle:
+      return cartesian_step<Hlle>(tile, dt, options);
+    case RiemannSolver::hllc:
+      break;
   }
   return cartesian_step<Hllc>(tile, dt, options);
 }
@@ -35,9 +41,12 @@ StepResult godunov_step<2>(const CartesianTile<2>& tile, double dt, const StepOp
 StepResult godunov_step(const CurvilinearTile& tile, double dt, const StepOptions& options) {
   MORTISE_ASSERT(tile.shape->cells[0] % 2 == 0 && tile.shape->cells[1] > 1, "tiles have an even number of cells");
   switch (options.riemann) {
-    case RiemannSolver::exact: return curvilinear_step<ExactRiemann>(tile, dt, options);
-    case RiemannSolver::hlle: return curvilinear_step<Hlle>(tile, dt, options);
-    case RiemannSolver::hllc: break;
+    case RiemannSolver::exact:
+      return curvilinear_step<ExactRiemann>(tile, dt, options);
+    case RiemannSolver::hlle:
+      return curvilinear_step<Hlle>(tile, dt, options);
+    case RiemannSolver::hllc:
+      break;
   }
   return curvilinear_step<Hllc>(tile, dt, options);
 }

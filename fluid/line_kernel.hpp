@@ -23,8 +23,13 @@ template <class Solver, Limiter limiter>
 class LineKernel {
  public:
   LineKernel(const MovingLineTile& tile, double dt, const StepOptions& options)
-      : tile_(tile), nx_(tile.line.shape->cells[0]), plane_(tile.line.shape->plane), gamma_(options.gamma),
-        courant_(dt / tile.line.spacing[0]), floor_(rows::limiter_floor<1>(options)), work_(nx_, row_count),
+      : tile_(tile),
+        nx_(tile.line.shape->cells[0]),
+        plane_(tile.line.shape->plane),
+        gamma_(options.gamma),
+        courant_(dt / tile.line.spacing[0]),
+        floor_(rows::limiter_floor<1>(options)),
+        work_(nx_, row_count),
         stride_(work_.stride()) {
     const std::uint8_t* active = tile.line.active;
     rows::fill_weights(work_.row(weights), nx_, active ? active + tile.line.shape->at(0) : nullptr);
@@ -46,8 +51,12 @@ class LineKernel {
   void make_primitive() const {
     const double* U = tile_.line.now + tile_.line.shape->at(0);
     double* const W = work_.row(primitive);
-    for (int i = row_start; i < nx_ + 2; i += simd_width)
-      rows::make_primitive(W + i, stride_, rows::load_conserved<1>(U + i, plane_), nx_ + 2 - i, gamma_);
+    const int end = tile_.right.present ? nx_ : nx_ + 2;  // what lies behind a wall is not read
+    for (int i = row_start; i < nx_ + 2; i += simd_width) {
+      Conserved<1, Pack> cells = rows::load_conserved<1>(U + i, plane_);
+      if (tile_.left.present && i < 0) cells = rows::select<1>(lanes_below(-row_start), rows::valid_state<1>(), cells);
+      rows::make_primitive(W + i, stride_, cells, end - i, gamma_);
+    }
     for (double* w = W; w < W + 3 * stride_; w += stride_) {  // one-sided slopes at walls
       if (tile_.left.present) w[-1] = 2 * w[0] - w[1];
       if (tile_.right.present) w[nx_] = 2 * w[nx_ - 1] - w[nx_ - 2];
@@ -94,7 +103,8 @@ class LineKernel {
     double* const next = tile_.line.next + tile_.line.shape->at(0);
     Pack rate{};
     for (int i = row_start; i < nx_ + 2; i += simd_width) {
-      const auto dF = rows::difference<1>(rows::load_conserved<1>(F + i + 1, stride_), rows::load_conserved<1>(F + i, stride_));
+      const auto dF =
+          rows::difference<1>(rows::load_conserved<1>(F + i + 1, stride_), rows::load_conserved<1>(F + i, stride_));
       const auto U = rows::load_conserved<1>(now + i, plane_);
       const auto V = rows::combine<1>(U, dF, [&](Pack u, Pack f) { return u - courant_ * f; });
       const PackMask counts = load(weight + i) > 0;

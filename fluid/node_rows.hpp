@@ -10,12 +10,17 @@ namespace mortise::rows {
 class NodeRows {
  public:
   NodeRows(const CurvilinearTile& tile, const double* zeros)
-      : x_(tile.x + tile.nodes->at(0, 0)), y_(tile.y + tile.nodes->at(0, 0)), pitch_(tile.nodes->stride),
-        wx_(tile.wx ? tile.wx + tile.nodes->at(0, 0) : zeros), wy_(tile.wy ? tile.wy + tile.nodes->at(0, 0) : zeros),
+      : x_(tile.x + tile.nodes->at(0, 0)),
+        y_(tile.y + tile.nodes->at(0, 0)),
+        pitch_(tile.nodes->stride),
+        wx_(tile.wx ? tile.wx + tile.nodes->at(0, 0) : zeros),
+        wy_(tile.wy ? tile.wy + tile.nodes->at(0, 0) : zeros),
         velocity_pitch_(tile.wx ? tile.nodes->stride : 0) {}
 
   /// Nodes of the vector of cells that starts with cell (i, r).
-  MORTISE_INLINE MovingCell<Pack> cell(int i, int r) const { return {at(i, r), at(i + 1, r), at(i, r + 1), at(i + 1, r + 1)}; }
+  MORTISE_INLINE MovingCell<Pack> cell(int i, int r) const {
+    return {at(i, r), at(i + 1, r), at(i, r + 1), at(i + 1, r + 1)};
+  }
   MORTISE_INLINE void prefetch(int i, int r) const {
     prefetch_read(x_ + r * pitch_ + i);
     prefetch_read(y_ + r * pitch_ + i);

@@ -70,8 +70,7 @@ struct HalfStepTerms {
 
 /// Terms of a Cartesian cell at rest; courant[d] = Δt/h_d.
 template <int Dim, class T>
-MORTISE_INLINE HalfStepTerms<Dim, T> cartesian_terms(const Primitive<Dim, T>& W,
-                                                     const HalfSlopes<Dim, T>& h,
+MORTISE_INLINE HalfStepTerms<Dim, T> cartesian_terms(const Primitive<Dim, T>& W, const HalfSlopes<Dim, T>& h,
                                                      const double* courant) {
   HalfStepTerms<Dim, T> terms;
   terms.divergence = courant[0] * h[0].velocity[0];
@@ -85,8 +84,7 @@ MORTISE_INLINE HalfStepTerms<Dim, T> cartesian_terms(const Primitive<Dim, T>& W,
 
 /// Step 3: W½.
 template <int Dim, class T>
-MORTISE_INLINE Primitive<Dim, T> half_step(const Primitive<Dim, T>& W, T inverse_density,
-                                           const HalfSlopes<Dim, T>& h,
+MORTISE_INLINE Primitive<Dim, T> half_step(const Primitive<Dim, T>& W, T inverse_density, const HalfSlopes<Dim, T>& h,
                                            const HalfStepTerms<Dim, T>& terms, double gamma) {
   const auto advected = [&](auto component) {
     T sum = terms.speed[0] * component(h[0]);
@@ -98,8 +96,8 @@ MORTISE_INLINE Primitive<Dim, T> half_step(const Primitive<Dim, T>& W, T inverse
   for (std::size_t e = 0; e < Dim; ++e)
     half.velocity[e] =
         W.velocity[e] - (advected([e](const auto& s) { return s.velocity[e]; }) + inverse_density * terms.force[e]);
-  half.pressure = W.pressure - (advected([](const auto& s) { return s.pressure; }) +
-                                (gamma * W.pressure) * terms.divergence);
+  half.pressure =
+      W.pressure - (advected([](const auto& s) { return s.pressure; }) + (gamma * W.pressure) * terms.divergence);
   return half;
 }
 

@@ -65,10 +65,15 @@ MORTISE_INLINE Conserved<Dim, Pack> difference(const Conserved<Dim, Pack>& a, co
   return combine<Dim>(a, b, [](Pack f, Pack g) { return f - g; });
 }
 
-/// A valid state (ρ, u, p̃) = (1, 0, γ − 1) in the lanes from `count` on.
+/// (ρ, ρu, Ẽ) = (1, 0, 1) in all lanes: for lanes that are no cells of the tile.
+template <int Dim>
+MORTISE_INLINE Conserved<Dim, Pack> valid_state() {
+  return {broadcast(1.0), {}, broadcast(1.0)};
+}
+/// U in the first `count` lanes, a valid state beyond.
 template <int Dim>
 MORTISE_INLINE Conserved<Dim, Pack> valid_beyond(int count, const Conserved<Dim, Pack>& U) {
-  return select<Dim>(lanes_below(count), U, {broadcast(1.0), {}, broadcast(1.0)});
+  return select<Dim>(lanes_below(count), U, valid_state<Dim>());
 }
 
 /// Stores the primitive state of U and, behind it, 1/ρ; of the lanes the first `count` are cells of the tile.
@@ -110,9 +115,10 @@ inline void fill_weights(double* row, int nx, const std::uint8_t* active) {
 
 /// speed/ρ, checked; `speed` is NaN if p̃ is not positive.
 MORTISE_INLINE Pack checked_rate(Pack speed, Pack density, PackMask counts) {
-  const Pack rate = speed / mortise::select(counts, density, broadcast(1.0));
-  const PackMask good = (density > 0) & (rate <= std::numeric_limits<double>::max());
-  return mortise::select(counts, mortise::select(good, rate, broadcast(std::numeric_limits<double>::infinity())), Pack{});
+  const Pack safe_density = mortise::select(counts, density, broadcast(1.0));
+  const Pack rate = mortise::select(counts, speed, Pack{}) / safe_density;
+  const PackMask good = (safe_density > 0) & (rate <= std::numeric_limits<double>::max());
+  return mortise::select(good, rate, broadcast(std::numeric_limits<double>::infinity()));
 }
 
 /// ρc = √(γp̃ρ) = √(γ(γ − 1)(Ẽρ − ½|ρu|²)); NaN for p̃ ≤ 0.

@@ -21,10 +21,14 @@ StepResult curvilinear_step(const CurvilinearTile& tile, double dt, const StepOp
 template <class Action>
 auto with_limiter(Limiter limiter, Action action) {
   switch (limiter) {
-    case Limiter::none: return action.template operator()<Limiter::none>();
-    case Limiter::minmod: return action.template operator()<Limiter::minmod>();
-    case Limiter::mc: return action.template operator()<Limiter::mc>();
-    case Limiter::van_albada: break;
+    case Limiter::none:
+      return action.template operator()<Limiter::none>();
+    case Limiter::minmod:
+      return action.template operator()<Limiter::minmod>();
+    case Limiter::mc:
+      return action.template operator()<Limiter::mc>();
+    case Limiter::van_albada:
+      break;
   }
   return action.template operator()<Limiter::van_albada>();
 }

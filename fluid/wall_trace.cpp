@@ -47,8 +47,9 @@ PlaneTrace plane_trace(const CurvilinearTile& tile, const MovingCell<Pack>& node
   const TileShape<2>& shape = *tile.shape;
   const auto state = [&](int column, int row) {
     const int cells = shape.cells[0] + 2 - column;
-    return to_primitive(rows::valid_beyond<2>(cells, rows::load_conserved<2>(tile.now + shape.at(column, row), shape.plane)),
-                        options.gamma);
+    return to_primitive(
+        rows::valid_beyond<2>(cells, rows::load_conserved<2>(tile.now + shape.at(column, row), shape.plane)),
+        options.gamma);
   };
   const Primitive<2> floor = rows::limiter_floor<2>(options);
   const Primitive<2, Pack> W = state(i, 0), inner = state(i, 1);
@@ -58,7 +59,8 @@ PlaneTrace plane_trace(const CurvilinearTile& tile, const MovingCell<Pack>& node
   trace.now = W - h[1];
   const MovingCell<Pack> cell = nodes.after(0.5 * dt);
   const Pack volume = select(lanes_below(shape.cells[0] - i), nodes.area(0), broadcast(1.0));
-  const auto terms = curvilinear_terms(W, h, cell.west() + cell.east(), cell.south() + cell.north(), (0.5 * dt) / volume);
+  const auto terms =
+      curvilinear_terms(W, h, cell.west() + cell.east(), cell.south() + cell.north(), (0.5 * dt) / volume);
   Primitive<2, Pack> half = half_step(W, 1.0 / W.density, h, terms, options.gamma);
   ensure_positive_faces(W, half, h);
   trace.half = half - h[1];

@@ -65,8 +65,10 @@ void add_outlines(const Simulation<2>& simulation, Snapshot& snapshot) {
   for (std::size_t b = 0; b < simulation.bodies().size(); ++b) {
     if (!simulation.setup().fluid.bodies[b].wall) continue;
     const Frame<2> frame(simulation.bodies()[b].pose);
+    const std::vector<Point<2>>& polygon = simulation.setup().bodies[b].outline->polygon();
+    const std::size_t stride = std::max<std::size_t>(1, polygon.size() / 400);  // fine enough for pictures
     std::vector<Point<2>> outline;
-    for (const Point<2>& X : simulation.setup().bodies[b].outline->polygon()) outline.push_back(frame.to_space(X));
+    for (std::size_t k = 0; k < polygon.size(); k += stride) outline.push_back(frame.to_space(polygon[k]));
     snapshot.outlines.push_back(std::move(outline));
   }
 }

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "mortise/grids/core/error.hpp"
+#include "mortise/grids/output/atomic_file.hpp"
 
 namespace mortise {
 namespace fs = std::filesystem;
@@ -18,6 +19,14 @@ bool holds_a_run(const fs::path& directory) {
   return false;
 }
 
+/// What a killed run was writing.
+void remove_unfinished(const fs::path& directory) {
+  std::error_code ignored;
+  for (const fs::path& folder : {directory, directory / "fields", directory / "frames"})
+    for (const auto& entry : fs::directory_iterator(folder, ignored))
+      if (entry.path().extension() == temporary_name("")) fs::remove(entry.path(), ignored);
+}
+
 }  // namespace
 
 void check_output_directory(const std::string& directory, bool overwrite, bool restart) {
@@ -27,15 +36,16 @@ void check_output_directory(const std::string& directory, bool overwrite, bool r
   if (!overwrite && !restart && holds_a_run(existing))
     throw InputError("the output directory \"" + directory + "\" holds a run already; choose another with --output or replace it with --overwrite");
   while (!fs::exists(existing, error) && existing.has_parent_path() && existing != existing.parent_path()) existing = existing.parent_path();
-  if (!fs::is_directory(existing, error) || access(existing.c_str(), W_OK | X_OK) != 0)
-    throw InputError("the output directory \"" + directory + "\" cannot be written (no permission in \"" + existing.string() + "\")");
+  const std::string refusal = "the output directory \"" + directory + "\" cannot be written: \"" + existing.string() + "\" ";
+  if (!fs::is_directory(existing, error)) throw InputError(refusal + "is not a directory; choose another with --output");
+  if (access(existing.c_str(), W_OK | X_OK) != 0) throw InputError(refusal + "may not be written to; choose another with --output");
 }
 
 void prepare_output_directory(const std::string& directory, bool overwrite) {
   std::error_code error;
   fs::create_directories(directory, error);
-  if (error) throw InputError("the output directory \"" + directory + "\" cannot be made: " + error.message());
-  if (!overwrite) return;
+  if (error) throw InputError("the output directory \"" + directory + "\" cannot be made: " + error.message() + "; choose another with --output");
+  if (!overwrite) return remove_unfinished(directory);
   for (const char* file : files_of_a_run) fs::remove_all(fs::path(directory) / file, error);
   if (error) throw InputError("the earlier run in \"" + directory + "\" cannot be removed: " + error.message());
 }

@@ -1,7 +1,9 @@
-// What a run writes while it goes: histories, fields, pictures, checkpoints. Only rank 0 touches files.
+// What a run writes while it goes: histories, fields, pictures, checkpoints. Only rank 0 touches files; what fails there
+// waits for settle(), so that no rank is left behind in the middle of a collective operation.
 #pragma once
 
-#include <memory>
+#include <exception>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -22,22 +24,35 @@ class Recorder {
   void histories(const Simulation<Dim>& simulation);
   /// Fields and pictures of this instant. Collective.
   void frame(const Simulation<Dim>& simulation, int number);
-  /// Collective.
-  void checkpoint(Simulation<Dim>& simulation, int next_frame);
+  /// `totals`: of the report (RunReport::totals_so_far). Collective.
+  void checkpoint(Simulation<Dim>& simulation, int next_frame, const std::vector<double>& totals);
+  /// Throws AgreedFailure when something could not be written. Collective.
+  void settle() const;
   const std::string& last_picture() const { return last_picture_; }
 
  private:
+  void write(const std::function<void()>& files);
+  void write_pictures(const Snapshot& snapshot, int number);
+
   const CaseDescription& description_;
   std::string directory_;
   Communicator comm_;
   std::optional<SeriesWriter> series_;
   std::optional<CsvWriter> bodies_, probes_;
-  std::optional<double> schlieren_scale_;
   std::string last_picture_;
+  std::exception_ptr failure_;  // the first, on rank 0
 };
 
-/// Brings the simulation to the last checkpoint in `directory`; returns the number of the next frame. Throws EnvironmentError.
+/// The state of a run between two steps.
+struct Checkpoint {
+  TileRecords tiles;
+  std::vector<double> motion;  // Simulation::motion_state()
+  std::vector<double> totals;  // of the report
+  int next_frame = 0;
+};
+
+/// The last checkpoint in `directory`. Throws EnvironmentError when it cannot be read or is not of this scene.
 template <int Dim>
-int read_checkpoint(const std::string& directory, Simulation<Dim>& simulation);
+Checkpoint read_checkpoint(const std::string& directory, const Simulation<Dim>& simulation);
 
 }  // namespace mortise

@@ -18,7 +18,7 @@ int render_run(const std::string& directory, const std::string& field) {
     const Snapshot snapshot = read_snapshot(files[k]);
     RenderOptions options;
     options.field = field;
-    char number[16];
+    char number[32];
     std::snprintf(number, sizeof number, "%04zu", k);
     path = directory + "/frames/" + field + "_" + number + ".png";
     write_png(render(snapshot, options), path);

@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <limits>
 
+#include "mortise/cases/driver/agreement.hpp"
+
 namespace mortise {
 namespace {
 
@@ -41,8 +43,29 @@ RunReport<Dim>::RunReport(const CaseDescription& description, const Scene<Dim>& 
 }
 
 template <int Dim>
-void RunReport<Dim>::failed(const std::string& reason) {
+void RunReport<Dim>::failed(const std::string& status, const std::string& reason) {
+  status_ = status;
   reason_ = reason;
+}
+
+template <int Dim>
+std::vector<double> RunReport<Dim>::totals_so_far() const {
+  std::vector<double> totals(initial_totals_.begin(), initial_totals_.end());
+  for (const std::int64_t count : {tight_, earlier_contacts_ + simulation_.contacts(), earlier_repeated_steps_ + simulation_.halvings()})
+    totals.push_back(static_cast<double>(count));
+  totals.push_back(tracked_time_);
+  for (const ErrorNorms& norms : {interface_velocity_, interface_position_}) totals.insert(totals.end(), {norms.l1, norms.l2, norms.max});
+  return totals;
+}
+
+template <int Dim>
+void RunReport<Dim>::resume(const std::vector<double>& totals) {
+  const double* next = totals.data();
+  for (double& total : initial_totals_) total = *next++;
+  for (std::int64_t* count : {&tight_, &earlier_contacts_, &earlier_repeated_steps_}) *count = static_cast<std::int64_t>(*next++);
+  tracked_time_ = *next++;
+  for (ErrorNorms* norms : {&interface_velocity_, &interface_position_})
+    for (double* norm : {&norms->l1, &norms->l2, &norms->max}) *norm = *next++;
 }
 
 template <int Dim>
@@ -74,7 +97,7 @@ RunSummary RunReport<Dim>::collect(double wall_seconds) {
   RunSummary summary;
   summary.case_name = description_.name;
   summary.scheme = description_.scheme;
-  summary.status = finished() ? "finished" : "unstable";
+  summary.status = status_;
   summary.reason = reason_;
   summary.time = simulation_.time();
   summary.steps = simulation_.steps();
@@ -103,8 +126,8 @@ RunSummary RunReport<Dim>::collect(double wall_seconds) {
   }
   const OverlapReport overlap = simulation_.fluid().overlap().census();
   summary.overlap = {overlap.orphans, overlap.fringe, overlap.holes, tight_};
-  summary.contacts = simulation_.contacts();
-  summary.repeated_steps = simulation_.halvings();
+  summary.contacts = earlier_contacts_ + simulation_.contacts();
+  summary.repeated_steps = earlier_repeated_steps_ + simulation_.halvings();
   summary.provenance = provenance();
   summary.case_text = description_.text;
   return summary;
@@ -138,7 +161,9 @@ void RunReport<Dim>::write(const std::string& path, double wall_seconds) {
     std::snprintf(line, sizeof line, "\n  error %-22s L1 %.3e  L2 %.3e  max %.3e", name.c_str(), norms.l1, norms.l2, norms.max);
     headline_ += line;
   }
-  if (comm_.rank() == 0) write_summary(summary, path);
+  agree(comm_, [&] {
+    if (comm_.rank() == 0) write_summary(summary, path);
+  });
 }
 
 template class RunReport<1>;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "mortise/cases/driver/gather.hpp"
 #include "mortise/cases/input/case_description.hpp"
@@ -16,12 +17,17 @@ class RunReport {
   /// Takes the totals at the start of the run. Collective.
   RunReport(const CaseDescription& description, const Scene<Dim>& scene, Simulation<Dim>& simulation, const Communicator& comm);
 
-  /// After every step: follows the error of the bodies' motion.
+  /// At the start and after every step: follows the error of the bodies' motion.
   void track();
-  void failed(const std::string& reason);
+  /// What was summed up since the beginning of the run, for checkpoints; the same for any number of ranks.
+  std::vector<double> totals_so_far() const;
+  /// Goes on from there.
+  void resume(const std::vector<double>& totals);
+  /// status: "unstable" (the computation) or "failed" (its surroundings).
+  void failed(const std::string& status, const std::string& reason);
   bool finished() const { return reason_.empty(); }
   const std::string& reason() const { return reason_; }
-  /// Gathers and writes the summary. Collective; rank 0 writes.
+  /// Gathers and writes the summary. Throws AgreedFailure. Collective; rank 0 writes.
   void write(const std::string& path, double wall_seconds);
   /// One line: steps, time, speed, errors.
   std::string headline() const { return headline_; }
@@ -33,11 +39,12 @@ class RunReport {
   const Scene<Dim>& scene_;
   Simulation<Dim>& simulation_;
   Communicator comm_;
-  std::string reason_, headline_;
-  std::array<double, static_cast<std::size_t>(euler_components<Dim>)> initial_totals_;
+  std::string status_ = "finished", reason_, headline_;
+  std::array<double, static_cast<std::size_t>(euler_components<Dim>)> initial_totals_{};
   ErrorNorms interface_velocity_, interface_position_;  // max over time; l1, l2 as means over time while summing
   double tracked_time_ = 0, last_time_ = 0;
   std::int64_t tight_ = 0;  // summed over the steps
+  std::int64_t earlier_contacts_ = 0, earlier_repeated_steps_ = 0;  // before the restart
 };
 
 }  // namespace mortise

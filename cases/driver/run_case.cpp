@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 
+#include "mortise/cases/driver/agreement.hpp"
+#include "mortise/cases/driver/initial_check.hpp"
 #include "mortise/cases/driver/output_directory.hpp"
 #include "mortise/cases/driver/progress.hpp"
 #include "mortise/cases/driver/recorder.hpp"
@@ -14,75 +17,117 @@
 namespace mortise {
 namespace {
 
+template <int Dim>
+Scene<Dim> agreed_scene(const CaseDescription& description, const Communicator& comm) {
+  Scene<Dim> scene;
+  agree(comm, [&] { scene = build_scene<Dim>(description); });
+  return scene;
+}
+
+/// The first multiple of the interval after `time`: the same for a run in one go and a run in pieces.
+double next_multiple(double time, double interval) { return interval * (std::floor(time / interval * (1 + 1e-12)) + 1); }
+
 /// One run of one case. The times of frames are those of the whole case, whatever --until says, so that a run in pieces
 /// takes the same steps as a run in one go.
 template <int Dim>
 class Run {
  public:
   Run(CaseDescription description, const RunOptions& options, const Communicator& comm)
-      : description_(std::move(description)), options_(options), comm_(comm), scene_(build_scene<Dim>(description_)), simulation_(comm, scene_.setup) {}
+      : description_(std::move(description)), options_(options), comm_(comm), scene_(agreed_scene<Dim>(description_, comm)), simulation_(comm, scene_.setup) {}
 
   int operator()() {
     start();
     Recorder<Dim> recorder(description_, directory_, comm_, resume_time_);
     Progress progress(simulation_.time(), end_, options_.quiet || comm_.rank() != 0);
     RunReport<Dim> report(description_, scene_, simulation_, comm_);
-    if (!resume_time_) {
-      recorder.histories(simulation_);
-      if (description_.frames > 0) recorder.frame(simulation_, 0);
-    }
-    report.track();
+    int status = 0;
     try {
+      begin(recorder, report);
       loop(recorder, progress, report);
     } catch (const NumericalError& error) {
-      report.failed(error.what());
+      report.failed("unstable", error.what());
+      status = 3;
+    } catch (const AgreedFailure& failure) {
+      report.failed("failed", failure.what());
+      status = failure.status;
     }
     progress.finish();
-    report.write(directory_ + "/summary.json", progress.seconds());
+    try {
+      report.write(directory_ + "/summary.json", progress.seconds());
+    } catch (const AgreedFailure&) {
+      if (status == 0) throw;
+    }
     if (comm_.rank() == 0) announce(recorder, report);
-    return report.finished() ? 0 : 3;
+    return status;
   }
 
  private:
   void start() {
     directory_ = !options_.output.empty() ? options_.output : !options_.restart.empty() ? options_.restart : description_.output;
     end_ = options_.until ? std::min(*options_.until, description_.time_end) : description_.time_end;
+    std::error_code ignored;
     const bool restart = !options_.restart.empty();
-    if (comm_.rank() == 0) check_output_directory(directory_, options_.overwrite, restart);
+    const bool continued = restart && (directory_ == options_.restart || std::filesystem::equivalent(directory_, options_.restart, ignored));
+    agree(comm_, [&] {
+      if (comm_.rank() == 0) check_output_directory(directory_, options_.overwrite, continued);
+    });
     simulation_.initialize();
+    agree(comm_, [&] { check_initial_state(description_, simulation_); });
     if (restart) {
-      next_frame_ = read_checkpoint(options_.restart, simulation_);
+      Checkpoint checkpoint;
+      agree(comm_, [&] { checkpoint = read_checkpoint(options_.restart, simulation_); });
+      scatter_tiles(checkpoint.tiles, simulation_);
+      simulation_.resume(checkpoint.motion);
+      next_frame_ = checkpoint.next_frame;
+      earlier_totals_ = checkpoint.totals;
       resume_time_ = simulation_.time();
     }
-    if (comm_.rank() == 0) prepare_output_directory(directory_, options_.overwrite && !restart);
-    comm_.barrier();
+    agree(comm_, [&] {
+      if (comm_.rank() == 0) prepare_output_directory(directory_, options_.overwrite && !continued);
+    });
+  }
+
+  /// What is written and summed up at t = 0.
+  void begin(Recorder<Dim>& recorder, RunReport<Dim>& report) {
+    if (resume_time_) {
+      report.resume(earlier_totals_);
+    } else {
+      report.track();
+      recorder.histories(simulation_);
+      if (description_.frames > 0) recorder.frame(simulation_, 0);
+    }
+    recorder.settle();
   }
 
   double frame_time(int number) const { return description_.time_end * number / description_.frames; }
 
   void loop(Recorder<Dim>& recorder, Progress& progress, RunReport<Dim>& report) {
-    double next_checkpoint = simulation_.time() + description_.checkpoint_interval;
+    const double interval = description_.checkpoint_interval;
+    double next_checkpoint = interval > 0 ? next_multiple(simulation_.time(), interval) : 0;
     bool cut_short = false;  // steps are no longer those of the whole run
     while (simulation_.time() < end_) {
       const double event = description_.frames > 0 ? frame_time(next_frame_) : description_.time_end;
       if (end_ < event && !cut_short && simulation_.next_step(end_) != simulation_.next_step(event)) {
         cut_short = true;
-        recorder.checkpoint(simulation_, next_frame_);
+        recorder.checkpoint(simulation_, next_frame_, report.totals_so_far());
       }
       const double dt = simulation_.advance(std::min(event, end_));
+      report.track();
       {
         const auto scope = simulation_.timers()("output");
         recorder.histories(simulation_);
         if (description_.frames > 0 && simulation_.time() >= event) recorder.frame(simulation_, next_frame_++);
-        if (description_.checkpoint_interval > 0 && !cut_short && simulation_.time() >= next_checkpoint) {
-          next_checkpoint += description_.checkpoint_interval;
-          recorder.checkpoint(simulation_, next_frame_);
+        if (interval > 0 && !cut_short && simulation_.time() >= next_checkpoint) {
+          next_checkpoint = next_multiple(simulation_.time(), interval);
+          recorder.checkpoint(simulation_, next_frame_, report.totals_so_far());
         }
+        recorder.settle();
       }
-      report.track();
       progress.step(simulation_.time(), simulation_.steps(), dt, simulation_.cell_updates());
     }
     if (description_.frames > 0 && cut_short) recorder.frame(simulation_, next_frame_);
+    if (end_ < description_.time_end && !cut_short) recorder.checkpoint(simulation_, next_frame_, report.totals_so_far());
+    recorder.settle();
   }
 
   void announce(const Recorder<Dim>& recorder, const RunReport<Dim>& report) const {
@@ -103,6 +148,7 @@ class Run {
   double end_ = 0;
   int next_frame_ = 1;
   std::optional<double> resume_time_;
+  std::vector<double> earlier_totals_;
 };
 
 CaseDescription adjusted(CaseDescription description, const RunOptions& options) {
@@ -121,9 +167,10 @@ int run_case(CaseDescription description, const RunOptions& options, const Commu
 
 void check_case_runs(const CaseDescription& description, const Communicator& comm) {
   const auto build = [&]<int Dim>() {
-    Scene<Dim> scene = build_scene<Dim>(description);
+    Scene<Dim> scene = agreed_scene<Dim>(description, comm);
     Simulation<Dim> simulation(comm, std::move(scene.setup));
     simulation.initialize();
+    agree(comm, [&] { check_initial_state(description, simulation); });
   };
   if (description.dimension == 1)
     build.template operator()<1>();

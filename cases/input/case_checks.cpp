@@ -170,6 +170,7 @@ void complete_case(const Node& root, CaseDescription& c) {
   if (!root.find("boundaries.inflow") && (i.kind == "uniform" || i.kind == "shock")) c.inflow = i.left;
   for (std::size_t k = 0; k < c.bodies.size(); ++k) {
     BodyDescription& b = c.bodies[k];
+    b.place = root.find("bodies." + std::to_string(k))->place;
     if (b.name.empty()) b.name = b.shape + "_" + std::to_string(k);
     if (!b.points.empty()) b.points = (std::filesystem::path(c.folder) / b.points).string();
   }

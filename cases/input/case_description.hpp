@@ -10,6 +10,7 @@ namespace mortise {
 
 /// One rigid body. Lengths non-dimensional, angles in degrees in case files (radians in all output).
 struct BodyDescription {
+  std::string place;                  // file:line:column of its table
   std::string name;                   // default: <shape>_<index>, e.g. "stick_0"
   std::string shape;                  // circle, ellipse, stick, rectangle, polygon, spline (2D); slab, half_space (1D)
   double radius = 0;                  // circle

@@ -23,7 +23,7 @@ fs::path file_of_case(const std::string& wanted, const std::string& cases_root) 
   const bool is_name = path.extension() != ".toml" && wanted.find('/') == std::string::npos;
   if (is_name && fs::exists(named, ignored)) return named;
   if (fs::is_regular_file(path, ignored)) return path;
-  if (fs::exists(path / "case.toml", ignored)) return path / "case.toml";
+  if (fs::is_regular_file(path / "case.toml", ignored)) return path / "case.toml";
   if (!is_name) throw InputError("there is no case file \"" + wanted + "\"");
   const std::vector<std::string> known = case_names(cases_root);
   const std::string guess = nearest(wanted, known);

@@ -76,7 +76,7 @@ void add_body(const CaseDescription& description, std::size_t index, double spac
   try {
     built = build_shape(from, spacing, fitted.shape.layers, fitted, body);
   } catch (const InputError& error) {
-    throw InputError(description.path + ": bodies." + std::to_string(index) + " (" + from.name + "): " + error.what());
+    throw InputError(from.place + ": bodies." + std::to_string(index) + " (" + from.name + "): " + error.what());
   }
   RigidBody<Dim>& rigid = body.body;
   rigid.name = from.name;

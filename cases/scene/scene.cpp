@@ -132,7 +132,7 @@ Scene<Dim> build_scene(const CaseDescription& description) {
     spacing = std::min(spacing, (fluid.domain.high[d] - fluid.domain.low[d]) / fluid.cells[static_cast<std::size_t>(d)]);
   for (std::size_t b = 0; b < description.bodies.size(); ++b) add_body<Dim>(description, b, spacing, setup);
   setup.contact_gap = (description.contact_gap > 0 ? description.contact_gap : fluid.overlap.least_gap) * spacing;
-  check_clearance(setup, fluid.overlap.least_gap * spacing);
+  check_clearance(description, setup, fluid.overlap.least_gap * spacing);
   return scene;
 }
 

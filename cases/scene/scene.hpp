@@ -28,6 +28,6 @@ Tiling choose_tiling(int cells, int preferred);
 
 /// Throws InputError for bodies too close to each other or to the edge of the domain (build_scene calls it).
 template <int Dim>
-void check_clearance(const SimulationSetup<Dim>& setup, double least_gap);
+void check_clearance(const CaseDescription& description, const SimulationSetup<Dim>& setup, double least_gap);
 
 }  // namespace mortise

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
-#include <utility>
 
 #if defined(__AVX512F__) || defined(__AVX__) || defined(__SSE2__)
 #include <immintrin.h>
@@ -29,17 +27,13 @@ inline constexpr int simd_width = 2;
 using Pack = double __attribute__((vector_size(simd_width * sizeof(double))));
 using PackMask = std::int64_t __attribute__((vector_size(simd_width * sizeof(double))));  // lanes −1: true, 0: false
 
-MORTISE_INLINE Pack load(const double* p) {  // any alignment
-  Pack v;
-  std::memcpy(&v, p, sizeof v);
-  return v;
-}
-MORTISE_INLINE PackMask load(const std::int64_t* p) {
-  PackMask v;
-  std::memcpy(&v, p, sizeof v);
-  return v;
-}
-MORTISE_INLINE void store(double* p, Pack v) { std::memcpy(p, &v, sizeof v); }
+namespace detail {
+// A vector may lie anywhere in an array of doubles, and aliases its elements (GCC and Clang).
+using UnalignedPack = double __attribute__((vector_size(simd_width * sizeof(double)), aligned(sizeof(double))));
+}  // namespace detail
+
+MORTISE_INLINE Pack load(const double* p) { return *reinterpret_cast<const detail::UnalignedPack*>(p); }
+MORTISE_INLINE void store(double* p, Pack v) { *reinterpret_cast<detail::UnalignedPack*>(p) = v; }
 MORTISE_INLINE Pack broadcast(double x) { return x - Pack{}; }
 
 MORTISE_INLINE Pack sqrt(Pack x) {
@@ -65,9 +59,9 @@ MORTISE_INLINE double max(double a, double b) { return a > b ? a : b; }
 MORTISE_INLINE double abs(double a) { return std::fabs(a); }
 MORTISE_INLINE double select(bool m, double a, double b) { return m ? a : b; }
 
-/// 1/√x to round-off, x > 0. Where the processor has an approximation with error ≤ 2⁻¹⁴ it is improved by one step of
-/// the series of (1 − h)^(−1/2), h = 1 − x y², to third order (error 35/128 h⁴ < 2⁻⁵³): a quarter of the time of a
-/// root and a division, and on other execution units than the divisions of a kernel.
+/// 1/√x to round-off, x > 0. Where the processor has an approximation y with relative error ≤ 2⁻¹⁴ it is improved by
+/// the series of (1 − h)^(−1/2), h = 1 − x y², to third order (error 35/128 h⁴ < 2⁻⁵³): a quarter of the time of a root
+/// and a division, and on other execution units than the divisions of a kernel.
 MORTISE_INLINE double inverse_sqrt(double x) { return 1.0 / std::sqrt(x); }
 MORTISE_INLINE Pack inverse_sqrt(Pack x) {
 #if defined(__AVX512F__)
@@ -123,31 +117,6 @@ MORTISE_INLINE bool all_positive(Pack x) {
 #endif
 }
 
-namespace detail {
-template <int From, int... K>
-MORTISE_INLINE Pack window(Pack first, Pack second, std::integer_sequence<int, K...>) {
-  return __builtin_shufflevector(first, second, (K + From)...);
-}
-}  // namespace detail
-
-/// Lane k holds lane k − 1 of `here`; lane 0 holds the last lane of `before`.
-MORTISE_INLINE Pack shift_in(Pack before, Pack here) {
-#if defined(__AVX512F__)
-  return (Pack)_mm512_maskz_alignr_epi64(0xff, (__m512i)here, (__m512i)before, 7);
-#else
-  return detail::window<simd_width - 1>(before, here, std::make_integer_sequence<int, simd_width>{});
-#endif
-}
-
-/// Lane k holds lane k + 1 of `here`; the last lane holds lane 0 of `after`.
-MORTISE_INLINE Pack shift_out(Pack here, Pack after) {
-#if defined(__AVX512F__)
-  return (Pack)_mm512_maskz_alignr_epi64(0xff, (__m512i)after, (__m512i)here, 1);
-#else
-  return detail::window<1>(here, after, std::make_integer_sequence<int, simd_width>{});
-#endif
-}
-
 /// Lanes one by one, for what has no vector form.
 template <class T>
 inline constexpr int lanes = static_cast<int>(sizeof(T) / sizeof(double));
@@ -166,11 +135,6 @@ MORTISE_INLINE PackMask lanes_below(int count) {
 MORTISE_INLINE double horizontal_max(Pack v) {
   double m = v[0];
   for (int k = 1; k < simd_width; ++k) m = v[k] > m ? v[k] : m;
-  return m;
-}
-MORTISE_INLINE double horizontal_min(Pack v) {
-  double m = v[0];
-  for (int k = 1; k < simd_width; ++k) m = v[k] < m ? v[k] : m;
   return m;
 }
 

@@ -33,21 +33,24 @@ void make_folder(const std::string& folder) {
   if (error) throw EnvironmentError("cannot create the folder \"" + folder + "\": " + error.message());
 }
 
-void publish(const std::string& path) {
+void publish(const std::string& path, Durable durable) {
   const std::string temporary = temporary_name(path);
-  const int file = ::open(temporary.c_str(), O_RDONLY);
-  if (file < 0) fail("write", path);
-  const bool synced = ::fsync(file) == 0 || errno == EINVAL;  // EINVAL: a file system without fsync
-  ::close(file);
+  bool synced = true;
+  if (durable == Durable::yes) {
+    const int file = ::open(temporary.c_str(), O_RDONLY);
+    if (file < 0) fail("write", path);
+    synced = ::fsync(file) == 0 || errno == EINVAL;  // EINVAL: a file system without fsync
+    ::close(file);
+  }
   if (!synced || std::rename(temporary.c_str(), path.c_str()) != 0) fail("write", path);
 }
 
-void write_file(const std::string& path, std::string_view content) {
+void write_file(const std::string& path, std::string_view content, Durable durable) {
   std::FILE* file = std::fopen(temporary_name(path).c_str(), "wb");
   if (!file) fail("write", path);
   const bool written = std::fwrite(content.data(), 1, content.size(), file) == content.size();
   if (std::fclose(file) != 0 || !written) fail("write", path);
-  publish(path);
+  publish(path, durable);
 }
 
 std::string read_file(const std::string& path) {

@@ -12,12 +12,15 @@ std::string temporary_name(const std::string& path);
 /// Creates the folder (and its parents) if it is not there. Throws EnvironmentError.
 void make_folder(const std::string& folder);
 
-/// Brings temporary_name(path) to the disk and renames it to `path`. Throws EnvironmentError.
-void publish(const std::string& path);
+/// Whether a file must survive a loss of power once the call returns (checkpoints), which costs a wait for the disk.
+enum class Durable { no, yes };
+
+/// Renames temporary_name(path) to `path`, after bringing it to the disk if durable. Throws EnvironmentError.
+void publish(const std::string& path, Durable durable = Durable::no);
 
 /// Replaces the file at `path` by `content`. Throws EnvironmentError (disk full, unwritable folder); then the
 /// old file, if any, is untouched and no temporary file is left.
-void write_file(const std::string& path, std::string_view content);
+void write_file(const std::string& path, std::string_view content, Durable durable = Durable::no);
 
 /// The whole file. Throws EnvironmentError.
 std::string read_file(const std::string& path);

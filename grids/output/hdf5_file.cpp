@@ -103,7 +103,7 @@ HDF5File::~HDF5File() {
   if (file_ >= 0) H5Fclose(file_);
 }
 
-void HDF5File::close() {
+void HDF5File::close(Durable durable) {
   std::string image;
   if (created_) {
     const auto size = H5Fflush(file_, H5F_SCOPE_LOCAL) < 0 ? ssize_t{-1} : H5Fget_file_image(file_, nullptr, 0);
@@ -112,7 +112,7 @@ void HDF5File::close() {
     if (H5Fget_file_image(file_, image.data(), image.size()) != size) fail("put together", "");
   }
   H5Fclose(std::exchange(file_, -1));
-  if (created_) write_file(path_, image);
+  if (created_) write_file(path_, image, durable);
 }
 
 void HDF5File::fail(const std::string& what, const std::string& name) const {

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "mortise/grids/output/atomic_file.hpp"
+
 namespace mortise {
 
 /// Owns the file; closes it when destroyed. Names are paths ("grids/background/density"), folders are made as needed.
@@ -27,7 +29,7 @@ class HDF5File {
   HDF5File& operator=(HDF5File&&) = delete;
 
   /// Brings a new file to the disk, whole or not at all, and closes it. Without it nothing is written.
-  void close();
+  void close(Durable durable = Durable::no);
 
   void write(const std::string& name, std::span<const double> values, const Shape& shape);
   void write(const std::string& name, std::span<const std::int64_t> values, const Shape& shape);

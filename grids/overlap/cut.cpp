@@ -35,6 +35,7 @@ Overlap<Dim>::Overlap(const Communicator& comm, std::vector<ComponentGrid<Dim>>&
     : comm_(comm), grids_(grids), bodies_(std::move(bodies)), domain_(domain), options_(options) {
   periodic_ = grids_.front().periodic;
   moved_.assign(bodies_.size(), 0);
+  donor_tiles_.resize(grids_.size());
   donors_.resize(static_cast<std::size_t>(comm_.size()));
   accepted_.resize(static_cast<std::size_t>(comm_.size()));
   for (ComponentGrid<Dim>& grid : grids_) {

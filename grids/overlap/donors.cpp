@@ -253,6 +253,23 @@ void Overlap<Dim>::find_donors() {
       }
     }
   find_remote_donors(std::move(open), std::move(open_choices), std::move(open_next));
+  list_donor_tiles();
+}
+
+template <int Dim>
+void Overlap<Dim>::list_donor_tiles() {
+  std::vector<std::vector<std::uint8_t>> gives;
+  for (const std::vector<TileOverlap>& of_grid : tiles_) gives.emplace_back(of_grid.size(), std::uint8_t{0});
+  const auto note = [&](const Donor<Dim>& donor) { gives[static_cast<std::size_t>(donor.grid)][static_cast<std::size_t>(donor.tile)] = 1; };
+  for (const std::vector<TileOverlap>& of_grid : tiles_)
+    for (const TileOverlap& tile : of_grid)
+      for (const Link& link : tile.links) note(link.donor);
+  for (const std::vector<Donor<Dim>>& of_rank : donors_)
+    for (const Donor<Dim>& donor : of_rank) note(donor);
+  donor_tiles_.assign(grids_.size(), {});
+  for (std::size_t g = 0; g < gives.size(); ++g)
+    for (std::size_t t = 0; t < gives[g].size(); ++t)
+      if (gives[g][t]) donor_tiles_[g].push_back(static_cast<int>(t));
 }
 
 /// The rest by rounds of questions to the ranks that hold the choices, each receiver in the order of its choices, so that

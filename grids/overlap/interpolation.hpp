@@ -13,28 +13,27 @@ inline std::array<double, 3> quadratic_weights(double r) { return {0.5 * r * (r 
 /// The donor's value in decoded variables.
 template <int Components, int Dim, class Decode>
 std::array<double, Components> interpolate(const Field<Dim>& field, const Donor<Dim>& donor, Decode&& decode) {
+  constexpr int rows = Dim == 2 ? 3 : 1;
   const TileBlock& block = field.tile(donor.tile);
-  std::array<double, Components> sum{}, low, high, U, W;
+  const double* data = block.component(0) + donor.center;
+  const auto plane = static_cast<std::ptrdiff_t>(field.shape().plane);
+  std::array<double, Components> sum{}, low, high;
   low.fill(std::numeric_limits<double>::infinity());
   high.fill(-std::numeric_limits<double>::infinity());
-  Index<Dim> first, last;
-  first.fill(-1);
-  last.fill(2);
-  for_each_index<Dim>(first, last, [&](const Index<Dim>& k) {
-    std::ptrdiff_t cell = static_cast<std::ptrdiff_t>(donor.center) + k[0];
-    double weight = donor.weights[0][static_cast<std::size_t>(k[0] + 1)];
-    if constexpr (Dim == 2) {
-      cell += static_cast<std::ptrdiff_t>(k[1]) * field.shape().stride;
-      weight *= donor.weights[1][static_cast<std::size_t>(k[1] + 1)];
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < 3; ++i) {
+      const std::ptrdiff_t cell = i - 1 + (Dim == 2 ? (j - 1) * static_cast<std::ptrdiff_t>(field.shape().stride) : 0);
+      double weight = donor.weights[0][static_cast<std::size_t>(i)];
+      if constexpr (Dim == 2) weight *= donor.weights[1][static_cast<std::size_t>(j)];
+      std::array<double, Components> U, W;
+      for (int c = 0; c < Components; ++c) U[static_cast<std::size_t>(c)] = data[c * plane + cell];
+      decode(U.data(), W.data());
+      for (std::size_t c = 0; c < Components; ++c) {
+        sum[c] += weight * W[c];
+        low[c] = W[c] < low[c] ? W[c] : low[c];
+        high[c] = W[c] > high[c] ? W[c] : high[c];
+      }
     }
-    for (int c = 0; c < Components; ++c) U[static_cast<std::size_t>(c)] = block.component(c)[cell];
-    decode(U.data(), W.data());
-    for (std::size_t c = 0; c < Components; ++c) {
-      sum[c] += weight * W[c];
-      low[c] = std::min(low[c], W[c]);
-      high[c] = std::max(high[c], W[c]);
-    }
-  });
   for (std::size_t c = 0; c < Components; ++c) sum[c] = std::clamp(sum[c], low[c], high[c]);
   return sum;
 }

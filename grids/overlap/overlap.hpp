@@ -75,8 +75,8 @@ class Overlap {
   /// touched. Returns false, having done nothing, when there are none. Collective.
   bool update(const std::vector<Pose<Dim>>& poses, bool fresh);
 
-  /// Interpolates into fringe and exposed cells. `fields` holds one field per component grid with ghosts filled from
-  /// neighbouring tiles. `decode(U, W)` turns the components of one cell into the variables to interpolate, `encode(W, U)` back. Collective.
+  /// Interpolates into fringe and exposed cells. `fields` holds one field per component grid, ghosts of the
+  /// donor tiles filled from neighbouring tiles. `decode(U, W)` turns the components of one cell into the variables to interpolate, `encode(W, U)` back. Collective.
   template <int Components, class Decode, class Encode>
   void fill(std::vector<Field<Dim>>& fields, Decode&& decode, Encode&& encode) const;
 
@@ -85,6 +85,9 @@ class Overlap {
   template <int Components, class Decode>
   std::vector<std::array<double, Components>> sample(const std::vector<Field<Dim>>& fields, std::span<const Point<Dim>> points,
                                                      Decode&& decode) const;
+
+  /// Local tiles of a grid that hold donors: their ghost cells must be filled before fill().
+  const std::vector<int>& donor_tiles(int grid) const { return donor_tiles_[static_cast<std::size_t>(grid)]; }
 
   const OverlapReport& report() const { return report_; }
   /// The report with the numbers of fringe and hole cells, which are not kept up from step to step. Collective.
@@ -137,6 +140,7 @@ class Overlap {
 
   // donors.cpp
   void find_donors();
+  void list_donor_tiles();
   void find_remote_donors(std::vector<Receiver> open, std::vector<std::vector<Choice>> choices, std::vector<std::size_t> next);
   bool try_local(const Receiver& receiver, const Point<Dim>& x, const std::vector<Choice>& choices, std::size_t& next);
   void list_choices(int own_grid, const Point<Dim>& x, std::vector<Choice>& choices) const;
@@ -175,6 +179,7 @@ class Overlap {
   std::vector<Receiver> remote_receivers_;             // with a donor on another rank
   std::vector<std::vector<int>> accepted_;             // per rank: remote receivers served by it, in the order of its donors
   std::vector<std::vector<Donor<Dim>>> donors_;        // per rank: donors on this rank that serve it
+  std::vector<std::vector<int>> donor_tiles_;          // per grid
   OverlapReport report_;
 };
 

@@ -53,9 +53,10 @@ struct ActiveCell {
 template <int Dim>
 class CaseRun {
  public:
-  /// Reads the case with overrides "key=value", builds it and sets the initial state. Throws InputError.
-  explicit CaseRun(const std::string& name, const Overrides& overrides = {})
-      : description(read_case(name, overrides, MORTISE_SOURCE_DIR "/cases")),
+  /// Reads the case (a name, or a path) with overrides "key=value", builds it and sets the initial state. skip = false:
+  /// also computes the tiles in which nothing happens. Throws InputError.
+  explicit CaseRun(const std::string& name, const Overrides& overrides = {}, bool skip = true)
+      : description(described(name, overrides, skip)),
         scene(build_scene<Dim>(description)),
         simulation(Communicator(), scene.setup) {
     simulation.initialize();
@@ -130,6 +131,12 @@ class CaseRun {
   std::int64_t tight = 0;                               // interpolated with clamped donors, summed over the steps
 
  private:
+  static CaseDescription described(const std::string& name, const Overrides& overrides, bool skip) {
+    CaseDescription found = read_case(name, overrides, MORTISE_SOURCE_DIR "/cases");
+    found.skip = found.skip && skip;
+    return found;
+  }
+
   void record() {
     for (std::size_t b = 0; b < histories.size(); ++b) {
       const RigidBody<Dim>& body = simulation.bodies()[b];

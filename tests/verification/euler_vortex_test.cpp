@@ -33,7 +33,8 @@ struct Errors {
 
 class Flow {
  public:
-  Flow(int n, StepOptions options, bool deforming) : n_(n), h_(side / n), deforming_(deforming), options_(options), tile_({n, n}), nodes_({n, n}) {
+  Flow(int n, StepOptions options, bool deforming)
+      : n_(n), h_(side / n), deforming_(deforming), options_(options), tile_({n, n}), nodes_({n, n}) {
     const double cube = h_ * h_ * h_;
     if (options_.limiter == Limiter::van_albada) options_.van_albada_floor.fill(10 * cube / (side * side * side) * 50);
     tile_.fill([&](int i, int j) { return vortex(centre(i, j, 0), 0); });
@@ -43,7 +44,8 @@ class Flow {
     for (double t = 0; t < end;) {
       const double dt = std::min(0.15 * h_, end - t);
       tile_.copy_periodic_ghosts();
-      const StepResult result = deforming_ ? curvilinear_step(t, dt) : godunov_step(tile_.cartesian(h_, h_), dt, options_);
+      const StepResult result =
+          deforming_ ? curvilinear_step(t, dt) : godunov_step(tile_.cartesian(h_, h_), dt, options_);
       EXPECT_TRUE(result.admissible);
       EXPECT_LT(result.rate * dt, 1);
       tile_.accept();
@@ -85,7 +87,8 @@ void expect_orders(Limiter limiter, RiemannSolver solver, bool deforming, double
   StepOptions options;
   options.limiter = limiter;
   options.riemann = solver;
-  const Errors coarse = Flow(64, options, deforming).density_errors_at(1), fine = Flow(128, options, deforming).density_errors_at(1);
+  const Errors coarse = Flow(64, options, deforming).density_errors_at(1),
+               fine = Flow(128, options, deforming).density_errors_at(1);
   EXPECT_GE(std::log2(coarse.mean / fine.mean), mean_order) << coarse.mean << " " << fine.mean;
   EXPECT_GE(std::log2(coarse.largest / fine.largest), largest_order) << coarse.largest << " " << fine.largest;
   EXPECT_LT(fine.mean, 3e-4);

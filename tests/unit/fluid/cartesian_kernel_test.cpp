@@ -42,7 +42,8 @@ TEST(CartesianKernel, ContactAtRestStaysToTheBit) {
     PlaneTile tile({12, 6}, [](int i, int) { return Primitive<2>{i < 5 ? 1.0 : 0.1, {0, 0}, 1}; });
     godunov_step(tile.cartesian(0.1, 0.1), 0.03, options(Limiter::mc, solver));
     for (int j = 0; j < 6; ++j)
-      for (int i = 0; i < 12; ++i) EXPECT_LT(distance(tile.before(i, j), tile.after(i, j)), solver == RiemannSolver::hllc ? 1e-300 : 1e-15);
+      for (int i = 0; i < 12; ++i)
+        EXPECT_LT(distance(tile.before(i, j), tile.after(i, j)), solver == RiemannSolver::hllc ? 1e-300 : 1e-15);
   }
 }
 
@@ -234,15 +235,22 @@ void expect_survival(const PlaneTile::StateOf& state, const StepOptions& o) {
 
 TEST(CartesianKernel, SurvivesMachTenAndNearVacuum) {
   for (const Limiter limiter : {Limiter::minmod, Limiter::mc, Limiter::van_albada}) {
-    expect_survival([](int i, int j) {  // shock of Mach 10 into oblique density steps
-      const bool behind = i < 6;
-      return behind ? Primitive<2>{8, {8.25, 0}, 116.5} : Primitive<2>{(i + j) % 7 < 3 ? 1.4 : 0.1, {0, 0}, 1};
-    }, options(limiter));
-    expect_survival([](int i, int j) {  // a gas that tears apart
-      return Primitive<2>{1, {i < 16 ? -4.0 : 4.0, j < 8 ? -0.5 : 0.5}, 0.4};
-    }, options(limiter));
-    expect_survival([](int i, int j) { return Primitive<2>{(i / 4 + j / 4) % 2 ? 1 : 1e-4, {0, 0}, (i / 4 + j / 4) % 2 ? 1 : 1e-5}; },
-                    options(limiter));
+    expect_survival(
+        [](int i, int j) {  // shock of Mach 10 into oblique density steps
+          const bool behind = i < 6;
+          return behind ? Primitive<2>{8, {8.25, 0}, 116.5} : Primitive<2>{(i + j) % 7 < 3 ? 1.4 : 0.1, {0, 0}, 1};
+        },
+        options(limiter));
+    expect_survival(
+        [](int i, int j) {  // a gas that tears apart
+          return Primitive<2>{1, {i < 16 ? -4.0 : 4.0, j < 8 ? -0.5 : 0.5}, 0.4};
+        },
+        options(limiter));
+    expect_survival(
+        [](int i, int j) {
+          return Primitive<2>{(i / 4 + j / 4) % 2 ? 1 : 1e-4, {0, 0}, (i / 4 + j / 4) % 2 ? 1 : 1e-5};
+        },
+        options(limiter));
   }
 }
 

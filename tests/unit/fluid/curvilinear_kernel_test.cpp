@@ -24,9 +24,12 @@ Point<2> square(int i, int j) { return {h * i, h * j}; }
 /// Smoothly deforming nodes.
 [[gnu::noinline]] Point<2> wavy(int i, int j, double t) {
   const double x = h * i, y = h * j;
-  return {x + 0.03 * std::sin(2 * pi * (x - 0.7 * y) + 3 * t) + 0.2 * t, y + 0.03 * std::cos(2 * pi * (0.6 * x + y) - 2 * t) - 0.1 * t};
+  return {x + 0.03 * std::sin(2 * pi * (x - 0.7 * y) + 3 * t) + 0.2 * t,
+          y + 0.03 * std::cos(2 * pi * (0.6 * x + y) - 2 * t) - 0.1 * t};
 }
-[[gnu::noinline]] Point<2> shear_velocity(int i, int j) { return {0.3 * std::sin(0.4 * j) + 0.1 * i * h, 0.2 * std::cos(0.3 * i)}; }
+[[gnu::noinline]] Point<2> shear_velocity(int i, int j) {
+  return {0.3 * std::sin(0.4 * j) + 0.1 * i * h, 0.2 * std::cos(0.3 * i)};
+}
 
 struct Scene {
   explicit Scene(Index<2> cells, const PlaneTile::StateOf& state = noisy_state) : tile(cells, state), nodes(cells) {
@@ -75,7 +78,9 @@ TEST(CurvilinearKernel, FreeStreamIsKeptOnDeformingNodes) {
       const double t = step * dt;
       scene.nodes.place([&](int i, int j) -> Point<2> { return 0.5 * (wavy(i, j, t) + wavy(i, j, t + dt)); });
       scene.nodes.move([&](int i, int j) -> Point<2> { return (wavy(i, j, t + dt) - wavy(i, j, t)) / dt; });
-      scene.tile.fill([&](int i, int j) { return step == 0 || i < 0 || j < 0 || i >= 20 || j >= 12 ? W : scene.tile.primitive(i, j); });
+      scene.tile.fill([&](int i, int j) {
+        return step == 0 || i < 0 || j < 0 || i >= 20 || j >= 12 ? W : scene.tile.primitive(i, j);
+      });
       EXPECT_TRUE(godunov_step(scene.view(), dt, options(Limiter::mc, solver)).admissible);
       for (int j = 0; j < 12; ++j)
         for (int i = 0; i < 20; ++i) {
@@ -147,7 +152,8 @@ TEST(CurvilinearKernel, InactiveCellsKeepTheirValueAndNaNIsReported) {
   godunov_step(full.view(), 0.003, options());
   for (int j = 0; j < 8; ++j)
     for (int i = 0; i < 16; ++i)
-      EXPECT_TRUE(same_bits(scene.tile.after(i, j), i == 5 && j == 3 ? scene.tile.before(i, j) : full.tile.after(i, j)));
+      EXPECT_TRUE(
+          same_bits(scene.tile.after(i, j), i == 5 && j == 3 ? scene.tile.before(i, j) : full.tile.after(i, j)));
   scene.tile.now.component(1)[scene.tile.shape.at(9, 3)] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(godunov_step(view, 0.003, options()).admissible);
   EXPECT_FALSE(wave_rate(view, options()).admissible);
@@ -164,7 +170,8 @@ TEST(CurvilinearKernel, RateOfTheNewStateOnTheMovedGrid) {
 Scene walled(const PlaneTile::StateOf& state, std::vector<double>& pressure, Index<2> cells = {16, 8}) {
   Scene scene(cells, state);
   for (int j = -2; j < 0; ++j)
-    for (int i = -2; i < cells[0] + 2; ++i) scene.tile.now.component(0)[scene.tile.shape.at(i, j)] = std::numeric_limits<double>::quiet_NaN();
+    for (int i = -2; i < cells[0] + 2; ++i)
+      scene.tile.now.component(0)[scene.tile.shape.at(i, j)] = std::numeric_limits<double>::quiet_NaN();
   pressure.resize(static_cast<std::size_t>(cells[0]));
   return scene;
 }

@@ -14,7 +14,8 @@ TEST(Hlle, LanesAgree) { testing::check_lanes<Hlle>(gamma); }
 TEST(Hlle, MirroredProblemHasTheMirroredFlux) { testing::check_mirror<Hlle>(gamma, 1e-14); }
 
 TEST(Hlle, ExactNumbers) {
-  // Symmetric collision at rest in the mean: s = ±s_R by symmetry, F = (0, p + ρu² + s ρu, 0) with the mean state at rest.
+  // Symmetric collision at rest in the mean: s = ±s_R by symmetry, F = (0, p + ρu² + s ρu, 0) with the mean state at
+  // rest.
   const Primitive<1> L{1, {1}, 1}, R{1, {-1}, 1};
   const double c = std::sqrt(gamma), roe = std::sqrt(gamma + 0.5 * 0.25 * 4);  // c̃² = c² + ½ · ¼ · (Δu)²
   const double s = std::max(c - 1, roe);

@@ -9,8 +9,8 @@ namespace {
 TEST(Limiters, ExactNumbers) {
   EXPECT_EQ(half_slope<Limiter::none>(1.0, 3.0, 0), 1);
   EXPECT_EQ(half_slope<Limiter::minmod>(1.0, 3.0, 0), 0.5);
-  EXPECT_EQ(half_slope<Limiter::mc>(1.0, 3.0, 0), 1);     // central
-  EXPECT_EQ(half_slope<Limiter::mc>(1.0, 4.0, 0), 1);     // twice the smaller
+  EXPECT_EQ(half_slope<Limiter::mc>(1.0, 3.0, 0), 1);  // central
+  EXPECT_EQ(half_slope<Limiter::mc>(1.0, 4.0, 0), 1);  // twice the smaller
   EXPECT_EQ(half_slope<Limiter::mc>(-0.5, -4.0, 0), -0.5);
   EXPECT_NEAR(half_slope<Limiter::van_albada>(1.0, 3.0, 0), 0.5 * (1 * 9 + 3 * 1) / 10.0, 1e-15);
   EXPECT_NEAR(half_slope<Limiter::van_albada>(1.0, -2.0, 0.5), 0.5 * (4.5 - 2 * 1.5) / 6.0, 1e-15);

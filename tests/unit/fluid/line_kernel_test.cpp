@@ -24,7 +24,9 @@ struct Line {
   TileBlock now, next;
 };
 
-[[gnu::noinline]] Primitive<1> wavy(int i) { return {1 + 0.4 * std::sin(1.3 * i), {0.6 * std::cos(0.8 * i)}, 1 + 0.5 * std::sin(2.1 * i + 1)}; }
+[[gnu::noinline]] Primitive<1> wavy(int i) {
+  return {1 + 0.4 * std::sin(1.3 * i), {0.6 * std::cos(0.8 * i)}, 1 + 0.5 * std::sin(2.1 * i + 1)};
+}
 
 const std::array<RiemannSolver, 3> solvers = {RiemannSolver::hllc, RiemannSolver::hlle, RiemannSolver::exact};
 const std::array<Limiter, 4> limiters = {Limiter::none, Limiter::minmod, Limiter::mc, Limiter::van_albada};

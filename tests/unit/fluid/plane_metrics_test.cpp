@@ -31,7 +31,9 @@ TEST(PlaneMetrics, SweptAreaIsTheMeanNodeVelocityTimesTheFace) {
 TEST(PlaneMetrics, GeometricConservationLaw) {
   EXPECT_TRUE(rc::check("V(t + Δt) − V(t) = Δt Σ w·S", [] {
     const auto number = rc::gen::map(rc::gen::inRange(-1000, 1000), [](int n) { return n * 1e-3; });
-    const auto node = [&](double x, double y) { return MovingNode<double>{x + 0.3 * *number, y + 0.3 * *number, *number, *number}; };
+    const auto node = [&](double x, double y) {
+      return MovingNode<double>{x + 0.3 * *number, y + 0.3 * *number, *number, *number};
+    };
     const Cell cell{node(0, 0), node(1, 0), node(0, 1), node(1, 1)};
     const double dt = 0.2 + 0.1 * *number;
     const double growth = cell.east().swept - cell.west().swept + cell.north().swept - cell.south().swept;
@@ -47,7 +49,8 @@ TEST(PlaneMetrics, HalfStepTermsOfARectangleAreTheCartesianOnes) {
   h[1] = {-0.1, {0.5, -0.3}, 0.2};
   const double dt = 0.1, courant[2] = {dt / 2, dt / 3};
   const auto expected = cartesian_terms(W, h, courant);
-  const auto terms = curvilinear_terms(W, h, unit.west() + unit.east(), unit.south() + unit.north(), 0.5 * dt / unit.area(0));
+  const auto terms =
+      curvilinear_terms(W, h, unit.west() + unit.east(), unit.south() + unit.north(), 0.5 * dt / unit.area(0));
   for (std::size_t d = 0; d < 2; ++d) {
     EXPECT_NEAR(terms.speed[d], expected.speed[d], 1e-16);
     EXPECT_NEAR(terms.force[d], expected.force[d], 1e-16);

@@ -17,7 +17,8 @@ constexpr double gamma = 1.4;
 struct PlaneTile {
   using StateOf = std::function<Primitive<2>(int, int)>;
 
-  explicit PlaneTile(Index<2> cells) : shape(cells), now(shape.plane, 4), next(shape.plane, 4), active(shape.plane, 1) {}
+  explicit PlaneTile(Index<2> cells)
+      : shape(cells), now(shape.plane, 4), next(shape.plane, 4), active(shape.plane, 1) {}
   PlaneTile(Index<2> cells, const StateOf& state) : PlaneTile(cells) { fill(state); }
 
   void fill(const StateOf& state) {
@@ -31,8 +32,7 @@ struct PlaneTile {
   void copy_periodic_ghosts() {
     const int nx = shape.cells[0], ny = shape.cells[1];
     for (int j = -2; j < ny + 2; ++j)
-      for (int i = -2; i < nx + 2; ++i)
-        put(now, shape.at(i, j), get<2>(now, shape.at((i + nx) % nx, (j + ny) % ny)));
+      for (int i = -2; i < nx + 2; ++i) put(now, shape.at(i, j), get<2>(now, shape.at((i + nx) % nx, (j + ny) % ny)));
   }
   CartesianTile<2> cartesian(double hx, double hy, bool masked = false) {
     return {&shape, now.component(0), next.component(0), {hx, hy}, masked ? active.data() : nullptr};
@@ -54,8 +54,9 @@ struct PlaneNodes {
   void place(const PointOf& position) { set(x, y, position); }
   void move(const PointOf& velocity) { set(wx, wy, velocity); }
   CurvilinearTile tile(PlaneTile& cells) const {
-    return {&cells.shape, &shape, cells.now.component(0), cells.next.component(0), x.data(), y.data(),
-            wx.data(), wy.data(), nullptr, {}};
+    return {
+        &cells.shape, &shape, cells.now.component(0), cells.next.component(0), x.data(), y.data(), wx.data(), wy.data(),
+        nullptr,      {}};
   }
 
   TileShape<2> shape;
@@ -78,13 +79,15 @@ inline bool same_bits(const Conserved<2>& a, const Conserved<2>& b) {
 inline double distance(const Conserved<2>& a, const Conserved<2>& b) {
   const double scale = std::abs(a.density) + std::abs(a.energy);
   return std::max({std::abs(a.density - b.density), std::abs(a.momentum[0] - b.momentum[0]),
-                   std::abs(a.momentum[1] - b.momentum[1]), std::abs(a.energy - b.energy)}) / scale;
+                   std::abs(a.momentum[1] - b.momentum[1]), std::abs(a.energy - b.energy)}) /
+         scale;
 }
 
 /// Smooth flow with features in both directions.
 /// Not inlined, so that every caller gets the same bits.
 [[gnu::noinline]] inline Primitive<2> wavy_state(double x, double y) {
-  return {1 + 0.3 * std::sin(2.1 * x + 0.7) * std::cos(1.3 * y), {0.4 * std::cos(1.7 * y + x), -0.3 + 0.5 * std::sin(0.9 * x - y)},
+  return {1 + 0.3 * std::sin(2.1 * x + 0.7) * std::cos(1.3 * y),
+          {0.4 * std::cos(1.7 * y + x), -0.3 + 0.5 * std::sin(0.9 * x - y)},
           1.2 + 0.4 * std::cos(1.1 * x + 1.9 * y)};
 }
 /// Numbers in [0, 1) without any pattern from cell to cell, the same with every compiler.

@@ -49,9 +49,14 @@ TEST(Reconstruction, HalfStepIsTheQuasiLinearFormInTwoDirections) {
   const double div = dx.velocity[0] / hx + dy.velocity[1] / hy;
   const auto advect = [&](double x, double y) { return W.velocity[0] * x / hx + W.velocity[1] * y / hy; };
   EXPECT_NEAR(half.density, W.density - 0.5 * dt * (advect(dx.density, dy.density) + W.density * div), 1e-15);
-  EXPECT_NEAR(half.velocity[0], W.velocity[0] - 0.5 * dt * (advect(dx.velocity[0], dy.velocity[0]) + dx.pressure / hx / W.density), 1e-15);
-  EXPECT_NEAR(half.velocity[1], W.velocity[1] - 0.5 * dt * (advect(dx.velocity[1], dy.velocity[1]) + dy.pressure / hy / W.density), 1e-15);
-  EXPECT_NEAR(half.pressure, W.pressure - 0.5 * dt * (advect(dx.pressure, dy.pressure) + gamma * W.pressure * div), 1e-15);
+  EXPECT_NEAR(half.velocity[0],
+              W.velocity[0] - 0.5 * dt * (advect(dx.velocity[0], dy.velocity[0]) + dx.pressure / hx / W.density),
+              1e-15);
+  EXPECT_NEAR(half.velocity[1],
+              W.velocity[1] - 0.5 * dt * (advect(dx.velocity[1], dy.velocity[1]) + dy.pressure / hy / W.density),
+              1e-15);
+  EXPECT_NEAR(half.pressure, W.pressure - 0.5 * dt * (advect(dx.pressure, dy.pressure) + gamma * W.pressure * div),
+              1e-15);
 }
 
 TEST(Reconstruction, CellAverageReplacesInvalidFaces) {

@@ -38,7 +38,8 @@ inline std::vector<Plane> sample_states() {
 inline double flux_scale(const Plane& W, const PlaneFace<double>& face, double gamma) {
   const double c = std::sqrt(gamma * W.pressure / W.density);
   const double speed = std::hypot(W.velocity[0], W.velocity[1]) + c;
-  return (W.density + to_conserved(W, gamma).energy * (1 + speed)) * (speed * face.area + std::abs(face.swept) + face.area);
+  return (W.density + to_conserved(W, gamma).energy * (1 + speed)) *
+         (speed * face.area + std::abs(face.swept) + face.area);
 }
 
 template <class Solver>
@@ -57,7 +58,8 @@ void check_upwinding(double gamma) {
   expect_near(Solver::flux(l, r, face, gamma), physical_flux(r, face, gamma), 1e-13);
 }
 
-/// The flux through a face twice as large is twice the flux, exactly; in a frame that moves along, the same masses pass.
+/// The flux through a face twice as large is twice the flux, exactly; in a frame that moves along, the same masses
+/// pass.
 template <class Solver>
 void check_scaling_and_frame(double gamma) {
   const Plane L{1, {0.3, 0.5}, 1}, R{0.5, {-0.2, -0.2}, 0.3};
@@ -81,7 +83,8 @@ template <class Solver>
 void check_lanes(double gamma) {
   const Plane L{1, {0.3, 0.5}, 1}, R{0.5, {-0.2, -0.2}, 0.3};
   const auto wide = [](const Plane& W) {
-    return Primitive<2, Pack>{broadcast(W.density), {broadcast(W.velocity[0]), broadcast(W.velocity[1])}, broadcast(W.pressure)};
+    return Primitive<2, Pack>{
+        broadcast(W.density), {broadcast(W.velocity[0]), broadcast(W.velocity[1])}, broadcast(W.pressure)};
   };
   const PlaneFace<Pack> face(broadcast(0.6), broadcast(0.9), broadcast(0.05));
   const Conserved<2, Pack> F = Solver::flux(wide(L), wide(R), face, gamma);

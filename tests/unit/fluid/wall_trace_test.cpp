@@ -12,7 +12,8 @@ using namespace testing;
 TEST(WallTrace, LineAtRestExtrapolatesLinearly) {
   TileShape<1> shape({8});
   TileBlock now(shape.plane, 3);
-  for (int i = 0; i < 8; ++i) put(now, shape.at(i), to_conserved(Primitive<1>{1 + 0.1 * i, {0}, 2 - 0.05 * i}, testing::gamma));
+  for (int i = 0; i < 8; ++i)
+    put(now, shape.at(i), to_conserved(Primitive<1>{1 + 0.1 * i, {0}, 2 - 0.05 * i}, testing::gamma));
   const MovingLineTile tile{{&shape, now.component(0), nullptr, {0.5}, nullptr}, 0, {}, {}};
   const double dt = 0.1;
   const WallTrace1 left = wall_trace(tile, false, dt, {}), right = wall_trace(tile, true, dt, {});
@@ -45,7 +46,8 @@ TEST(WallTrace, EndsOfAMirroredLineAreMirrorImages) {
 TEST(WallTrace, SteepProfileFallsBackToTheCellAverage) {
   TileShape<1> shape({4});
   TileBlock now(shape.plane, 3);
-  for (int i = 0; i < 4; ++i) put(now, shape.at(i), to_conserved(Primitive<1>{1, {i * 30.0}, i == 0 ? 0.01 : 1}, testing::gamma));
+  for (int i = 0; i < 4; ++i)
+    put(now, shape.at(i), to_conserved(Primitive<1>{1, {i * 30.0}, i == 0 ? 0.01 : 1}, testing::gamma));
   const MovingLineTile tile{{&shape, now.component(0), nullptr, {0.5}, nullptr}, 0, {}, {}};
   const WallTrace1 trace = wall_trace(tile, false, 0.1, {});
   EXPECT_NEAR(trace.now.pressure, 0.001, 1e-15);  // half a slope takes 0.9 of it
@@ -64,9 +66,12 @@ TEST(WallTrace, PlaneTracesAreSecondOrderOnAMovingSkewedGrid) {
   const Point<2> w{0.25, -0.15};
   nodes.move([&](int, int) { return w; });
   const auto density = [](const Point<2>& x) { return 1 + 0.3 * x[0] - 0.2 * x[1]; };
-  const auto centre = [&](int i, int j) -> Point<2> { return 0.25 * (position(i, j) + position(i + 1, j) + position(i, j + 1) + position(i + 1, j + 1)); };
+  const auto centre = [&](int i, int j) -> Point<2> {
+    return 0.25 * (position(i, j) + position(i + 1, j) + position(i, j + 1) + position(i + 1, j + 1));
+  };
   PlaneTile tile({nx, ny}, [&](int i, int j) { return Primitive<2>{density(centre(i, j)), u, 1}; });
-  for (int i = -2; i < nx + 2; ++i) tile.now.component(0)[tile.shape.at(i, -1)] = std::numeric_limits<double>::quiet_NaN();
+  for (int i = -2; i < nx + 2; ++i)
+    tile.now.component(0)[tile.shape.at(i, -1)] = std::numeric_limits<double>::quiet_NaN();
   for (const bool at_rest : {false, true}) {
     CurvilinearTile view = nodes.tile(tile);
     if (at_rest) view.wx = view.wy = nullptr;

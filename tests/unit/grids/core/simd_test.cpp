@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
 
 namespace mortise {
@@ -43,12 +44,14 @@ TEST(Simd, LanesBelowCountsFromTheFirstLane) {
   }
 }
 
-TEST(Simd, ShiftsMoveOneLane) {
-  const Pack a = ramp(0, 1), b = ramp(simd_width, 1), in = shift_in(a, b), out = shift_out(a, b);
-  for (int k = 0; k < simd_width; ++k) {
-    EXPECT_EQ(in[k], simd_width + k - 1);
-    EXPECT_EQ(out[k], k + 1);
+TEST(Simd, LoadsAndStoresAtAnyAlignment) {
+  std::array<double, 3 * simd_width> from{}, to{};
+  for (std::size_t i = 0; i < from.size(); ++i) from[i] = static_cast<double>(i) + 0.5;
+  for (std::size_t offset = 0; offset < simd_width; ++offset) {
+    store(to.data() + offset, load(from.data() + offset + 1));
+    for (std::size_t k = 0; k < simd_width; ++k) EXPECT_EQ(to[offset + k], from[offset + k + 1]);
   }
+  EXPECT_EQ(horizontal_max(load(from.data())), simd_width - 0.5);
 }
 
 TEST(Simd, AllPositiveSeesOneBadLane) {
