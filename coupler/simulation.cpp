@@ -62,6 +62,7 @@ void Simulation<Dim>::initialize() {
   std::vector<BodyPath<Dim>> paths;
   for (std::size_t b = 0; b < bodies_.size(); ++b) paths.push_back(path(b, mean_velocity_[b], instant));
   fluid_.measure_rates(paths, instant);
+  fastest_wave_ = fluid_.rate() * fluid_.grids().front().spacing.maxCoeff();
 }
 
 /// y^n, with the mean velocity over the coming step in place of held degrees of freedom.
@@ -182,6 +183,16 @@ double Simulation<Dim>::extra_rate(const Motion& motion) const {
 }
 
 template <int Dim>
+void Simulation<Dim>::check_runaway(const Motion& motion) const {
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    for (int d = 0; d < Dim; ++d)
+      if (!bodies_[b].held[static_cast<std::size_t>(d)] && !(std::fabs(motion.end[b][d]) <= runaway_factor * fastest_wave_))
+        throw NumericalError("the coupling is unstable at t = " + std::to_string(time_) + ", step " + std::to_string(step_) + ": body " +
+                             bodies_[b].name + " moves at " + std::to_string(motion.end[b][d]) + ", more than " +
+                             std::to_string(static_cast<int>(runaway_factor)) + " times the fastest wave of the initial state");
+}
+
+template <int Dim>
 double Simulation<Dim>::next_step(double limit) const {
   static constexpr double ramp[] = {0.1, 0.2, 0.4, 0.6, 0.8};  // the first steps, while waves form at discontinuities
   double dt = setup_.time_step > 0 ? setup_.time_step : setup_.cfl / fluid_.rate();
@@ -197,14 +208,19 @@ double Simulation<Dim>::advance(double limit) {
   Motion motion;
   for (int attempt = 0;; ++attempt) {
     motion = move_bodies(dt);
+    check_runaway(motion);
     const double fastest = dt * (fluid_.rate() + extra_rate(motion));
     const bool too_fast = setup_.time_step <= 0 && fastest > 1 && attempt < 20;
     if (!too_fast && fluid_.step(motion.paths, motion.pressure, dt)) break;
+    const std::string bad = too_fast ? "" : fluid_.first_bad_cell(motion.paths);
     if (attempt >= 30 || dt < 1e-14 * (std::fabs(time_) + 1))
-      throw NumericalError("the computation failed at t = " + std::to_string(time_) + ", step " + std::to_string(step_) +
-                           ": " + fluid_.first_bad_cell(motion.paths));
+      throw NumericalError("the computation failed at t = " + std::to_string(time_) + ", step " + std::to_string(step_) + ": " + bad);
     dt = too_fast ? dt * std::max(0.5, std::min(0.95, setup_.cfl / fastest)) : 0.5 * dt;
-    ++halvings_;
+    ++repeats_;
+    restless_ += 2;
+    if (restless_ > 2 * repeat_limit)
+      throw NumericalError("the coupling is unstable at t = " + std::to_string(time_) + ", step " + std::to_string(step_) +
+                           ": steps have to be repeated again and again" + (bad.empty() ? "" : ", last for " + bad));
   }
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     bodies_[b].pose = motion.paths[b].end;
@@ -217,6 +233,7 @@ double Simulation<Dim>::advance(double limit) {
   time_ = last ? limit : time_ + dt;
   last_step_ = dt;
   ++step_;
+  restless_ = std::max(0, restless_ - 1);
   cell_updates_ += fluid_.last_count().computed;
   cells_skipped_ += fluid_.last_count().skipped;
   fluid_.commit(poses(), time_);
@@ -225,7 +242,7 @@ double Simulation<Dim>::advance(double limit) {
 
 template <int Dim>
 std::vector<double> Simulation<Dim>::motion_state() const {
-  std::vector<double> state = {time_, last_step_, static_cast<double>(step_)};
+  std::vector<double> state = {time_, last_step_, static_cast<double>(step_), static_cast<double>(restless_), fastest_wave_};
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     for (int d = 0; d < Dim; ++d) state.push_back(bodies_[b].pose.position[d]);
     state.push_back(bodies_[b].pose.angle);
@@ -243,6 +260,8 @@ void Simulation<Dim>::resume(const std::vector<double>& state) {
   time_ = *next++;
   last_step_ = *next++;
   step_ = static_cast<std::int64_t>(*next++);
+  restless_ = static_cast<int>(*next++);
+  fastest_wave_ = *next++;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     for (int d = 0; d < Dim; ++d) bodies_[b].pose.position[d] = *next++;
     bodies_[b].pose.angle = *next++;

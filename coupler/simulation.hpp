@@ -5,7 +5,10 @@
 //   move bodies     the coupling scheme solves M y' = F(y); contacts
 //   advance fluid   every grid, body grids along the path of their body, wall faces with the scheme's pressure
 //   correct grids   cut holes for the new poses, interpolate fringe and exposed cells, fill ghosts
-// A step whose state is not admissible is repeated with half the Δt.
+// A step whose state is not admissible, or whose walls turn out faster than Δt allows, is repeated with a smaller Δt. The
+// coupling counts as unstable when a free body moves faster than runaway_factor times the fastest wave of the initial
+// state, which no gas can make it do, and when repeated steps outnumber half the others by more than repeat_limit: small Δt
+// would then only hide that the coupling does not hold.
 #pragma once
 
 #include <functional>
@@ -52,6 +55,10 @@ struct BodyLoad {
   double torque = 0;
 };
 
+/// See the head of this file.
+inline constexpr double runaway_factor = 20;
+inline constexpr int repeat_limit = 40;
+
 template <int Dim>
 class Simulation {
  public:
@@ -75,7 +82,7 @@ class Simulation {
   std::int64_t cell_updates() const { return cell_updates_; }   // computed, on this rank
   std::int64_t cells_skipped() const { return cells_skipped_; }  // left out, on this rank
   std::int64_t contacts() const { return contacts_; }           // contacts with an impulse, summed over the steps
-  std::int64_t halvings() const { return halvings_; }           // steps repeated with half the Δt
+  std::int64_t repeats() const { return repeats_; }             // steps repeated with a smaller Δt
 
   /// What a restart needs beside the fields and rates of the fluid: time, step, Δt and the motion of the bodies.
   std::vector<double> motion_state() const;
@@ -99,6 +106,7 @@ class Simulation {
   CoupledBody<Dim> coupled_body(std::size_t body, const BodyPath<Dim>& predicted, const std::vector<WallTrace<Dim>>& traces, double dt) const;
   std::vector<ContactPoint<Dim>> near_contacts(double within) const;
   double extra_rate(const Motion& motion) const;
+  void check_runaway(const Motion& motion) const;
 
   Communicator comm_;
   SimulationSetup<Dim> setup_;
@@ -110,7 +118,9 @@ class Simulation {
   std::vector<BodyLoad<Dim>> loads_;
   const BodyScheme<Dim>* scheme_;
   double time_ = 0, last_step_ = 0;
-  std::int64_t step_ = 0, cell_updates_ = 0, cells_skipped_ = 0, contacts_ = 0, halvings_ = 0;
+  double fastest_wave_ = 0;  // |u| + c of the initial state, at most
+  std::int64_t step_ = 0, cell_updates_ = 0, cells_skipped_ = 0, contacts_ = 0, repeats_ = 0;
+  int restless_ = 0;  // 2 × repeated steps − others, at least 0
 };
 
 }  // namespace mortise

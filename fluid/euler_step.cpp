@@ -5,6 +5,7 @@
 
 #include "mortise/fluid/cell.hpp"
 #include "mortise/fluid/euler_solver.hpp"
+#include "mortise/grids/core/error.hpp"
 
 namespace mortise {
 
@@ -124,6 +125,8 @@ std::vector<std::vector<WallTrace<Dim>>> EulerSolver<Dim>::wall_traces(const std
     const ComponentGrid<Dim>& grid = grids_[g];
     if (grid.background() || !setup_.bodies[static_cast<std::size_t>(grid.body)].wall) continue;
     for (int t = 0; t < now_[g].tiles(); ++t) {
+      if (!now_[g].tile(t).allocated())
+        throw NumericalError("no gas is left around body " + setup_.bodies[static_cast<std::size_t>(grid.body)].name + ": its grid lies in other bodies");
       place(static_cast<int>(g), t, paths[static_cast<std::size_t>(grid.body)], dt, 0);
       FittedTile<Dim> tile = fitted(static_cast<int>(g), t);
       if constexpr (Dim == 2) {

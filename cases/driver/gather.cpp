@@ -247,10 +247,9 @@ void scatter_tiles(const TileRecords& records, Simulation<Dim>& simulation) {
     if (local >= 0 && local < grid.forest.local_count()) {
       const int t = static_cast<int>(local);
       fluid.rates()[g][static_cast<std::size_t>(t)] = records.rates[k];
-      if (allocated) {
+      TileBlock& block = fluid.fields()[g].tile(t);
+      if (allocated && block.allocated()) {
         const double* value = next;
-        TileBlock& block = fluid.fields()[g].tile(t);
-        if (!block.allocated()) fluid.fields()[g].allocate(t);
         for (int c = 0; c < EulerSolver<Dim>::components; ++c)
           for_each_cell<Dim>(grid.shape, 0, [&](const Index<Dim>& cell) { block.component(c)[grid.shape.at(cell)] = *value++; });
       }

@@ -32,6 +32,7 @@ struct TileRecords {
 };
 template <int Dim>
 TileRecords gather_tiles(Simulation<Dim>& simulation);
+/// The holes of the simulation are those of the records: tiles wholly inside bodies are left alone.
 template <int Dim>
 void scatter_tiles(const TileRecords& records, Simulation<Dim>& simulation);
 

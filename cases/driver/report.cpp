@@ -51,7 +51,7 @@ void RunReport<Dim>::failed(const std::string& status, const std::string& reason
 template <int Dim>
 std::vector<double> RunReport<Dim>::totals_so_far() const {
   std::vector<double> totals(initial_totals_.begin(), initial_totals_.end());
-  for (const std::int64_t count : {tight_, earlier_contacts_ + simulation_.contacts(), earlier_repeated_steps_ + simulation_.halvings()})
+  for (const std::int64_t count : {tight_, earlier_contacts_ + simulation_.contacts(), earlier_repeated_steps_ + simulation_.repeats()})
     totals.push_back(static_cast<double>(count));
   totals.push_back(tracked_time_);
   for (const ErrorNorms& norms : {interface_velocity_, interface_position_}) totals.insert(totals.end(), {norms.l1, norms.l2, norms.max});
@@ -127,7 +127,7 @@ RunSummary RunReport<Dim>::collect(double wall_seconds) {
   const OverlapReport overlap = simulation_.fluid().overlap().census();
   summary.overlap = {overlap.orphans, overlap.fringe, overlap.holes, tight_};
   summary.contacts = earlier_contacts_ + simulation_.contacts();
-  summary.repeated_steps = earlier_repeated_steps_ + simulation_.halvings();
+  summary.repeated_steps = earlier_repeated_steps_ + simulation_.repeats();
   summary.provenance = provenance();
   summary.case_text = description_.text;
   return summary;

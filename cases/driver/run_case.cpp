@@ -76,6 +76,7 @@ class Run {
     if (restart) {
       Checkpoint checkpoint;
       agree(comm_, [&] { checkpoint = read_checkpoint(options_.restart, simulation_); });
+      simulation_.resume(checkpoint.motion);  // cuts the holes, so that the tiles to be filled are there
       scatter_tiles(checkpoint.tiles, simulation_);
       simulation_.resume(checkpoint.motion);
       next_frame_ = checkpoint.next_frame;

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cmath>
 #include <cerrno>
 #include <charconv>
 #include <cstdio>
@@ -62,6 +63,8 @@ std::string read_file(const std::string& path) {
 }
 
 std::string shortest(double value) {
+  if (value == std::trunc(value) && std::fabs(value) < 1e15 && (value != 0 || !std::signbit(value)))
+    return std::to_string(static_cast<long long>(value));  // 100000 rather than 1e+05
   std::array<char, 32> digits;
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value);
   return {digits.data(), end.ptr};

@@ -218,12 +218,28 @@ void Overlap<Dim>::cut_by_body(int g, int t, std::size_t b, Index<Dim>& low, Ind
     low[d] = std::min(low[d], from[d]);
     high[d] = std::max(high[d], to[d]);
   }
-  for_each_index<Dim>(from, to, [&](const Index<Dim>& c) {
+  Index<Dim> row_end = to;
+  row_end[0] = from[0] + 1;
+  for_each_index<Dim>(from, row_end, [&](Index<Dim> c) {
     Index<Dim> global = c;
     for (std::size_t d = 0; d < Dim; ++d) global[d] += first[d];
-    const Point<Dim> x = grid.center(global);
-    const Point<Dim> X = frames_[b].to_body(x);
-    if (covered.contains(X) && covers_background(body, body.atlas->distance(X), edge_distance(x))) mask.active[grid.shape.at(c)] = 0;
+    const Point<Dim> X0 = frames_[b].to_body(grid.center(global));
+    ++global[0];
+    const Point<Dim> step = frames_[b].to_body(grid.center(global)) - X0;
+    double begin = 0, end = to[0] - from[0] - 1;  // part of the row within `covered`
+    for (int d = 0; d < Dim; ++d) {
+      if (std::fabs(step[d]) < 1e-12 * body.spacing) continue;
+      const double a = (covered.low[d] - X0[d]) / step[d], z = (covered.high[d] - X0[d]) / step[d];
+      begin = std::max(begin, std::min(a, z));
+      end = std::min(end, std::max(a, z));
+    }
+    if (begin > end) return;
+    for (int i = static_cast<int>(std::ceil(begin)); i <= static_cast<int>(std::floor(end)); ++i) {
+      c[0] = from[0] + i;
+      global[0] = first[0] + c[0];
+      const Point<Dim> x = grid.center(global);
+      if (covers_background(body, body.atlas->distance(frames_[b].to_body(x)), edge_distance(x))) mask.active[grid.shape.at(c)] = 0;
+    }
   });
 }
 
@@ -235,8 +251,12 @@ void Overlap<Dim>::cut_body_grid(int g, bool fresh) {
   Box<Dim> room = domain_.grown(0);
   for (int d = 0; d < Dim; ++d)
     if (periodic_[static_cast<std::size_t>(d)]) room.low[d] = -1e300, room.high[d] = 1e300;
-  bool alone = room.contains(reaches_[body].low) && room.contains(reaches_[body].high);
-  for (std::size_t b = 0; b < bodies_.size(); ++b) alone = alone && (b == body || !reaches_[b].meets(reaches_[body]));
+  const auto surroundings = [&](std::size_t b) {  // a grid's own cells, and as far as it can cut another's
+    return frames_[b].to_space(bodies_[b].atlas->reach().grown(-5 * bodies_[b].spacing));
+  };
+  const Box<Dim> own = surroundings(body).grown(bodies_[body].atlas->width());  // the edge of the domain cuts as a body does
+  bool alone = room.contains(own.low) && room.contains(own.high);
+  for (std::size_t b = 0; b < bodies_.size(); ++b) alone = alone && (b == body || !surroundings(b).meets(surroundings(body)));
   for (int t = 0; t < grid.forest.local_count(); ++t) {
     TileMask& mask = grid.masks[static_cast<std::size_t>(t)];
     TileOverlap& tile = tile_of(g, t);

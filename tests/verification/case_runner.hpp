@@ -49,7 +49,7 @@ struct ActiveCell {
   Primitive<Dim> W;  // with the physical pressure p = p̃ − p∞
 };
 
-/// One case between t = 0 and wherever it has been advanced to. One rank.
+/// One case between t = 0 and wherever it has been advanced to. One rank. Stays where it was made.
 template <int Dim>
 class CaseRun {
  public:
@@ -63,6 +63,9 @@ class CaseRun {
     histories.resize(simulation.bodies().size());
     record();
   }
+
+  CaseRun(const CaseRun&) = delete;
+  CaseRun& operator=(const CaseRun&) = delete;
 
   /// Steps up to time.end, or to `time`. A computation that fails ends early: see finished(), reason().
   CaseRun& run() { return run(description.time_end); }

@@ -1,5 +1,5 @@
-// A rigid piston of any mass in a tube, against its exact solution (ordinary differential equation and simple waves) and
-// against independent reference data.
+// A rigid piston of any mass in a tube, against its exact solution (ordinary differential equation and simple waves)
+// and against independent reference data.
 #include <gtest/gtest.h>
 
 #include "unit/reference_table.hpp"
@@ -70,8 +70,7 @@ TEST(RigidPiston, HalfSpaceWithGasOnOneSideIsSecondOrder) {
   const Overrides pushed = {"initial.right=[1,0,1]", "time.end=0.8", "bodies.0.mass=0.5",
                             "bodies.0.force.x=1 + (t < 1 ? 0.5*sin(pi*t)^4 : 0)"};
   Errors coarse = errors_of(pushed + factor(16)), fine = errors_of(pushed + factor(32));
-  for (const std::string& field : fields)
-    EXPECT_GE(order(coarse.fluid[field].l1, fine.fluid[field].l1), 1.9) << field;
+  for (const std::string& field : fields) EXPECT_GE(order(coarse.fluid[field].l1, fine.fluid[field].l1), 1.9) << field;
   EXPECT_GE(order(coarse.velocity, fine.velocity), 1.9);
 }
 
@@ -81,8 +80,7 @@ TEST(RigidPiston, ReleasedFromRestBeatsThePublishedErrors) {
   EXPECT_LE(fine.fluid["fluid.density"].l1, 2.5e-5);
   EXPECT_LE(fine.fluid["fluid.velocity_x"].l1, 1.8e-5);
   EXPECT_LE(fine.fluid["fluid.temperature"].l1, 5.2e-6);
-  for (const std::string& field : fields)
-    EXPECT_GE(order(coarse.fluid[field].l1, fine.fluid[field].l1), 1.35) << field;
+  for (const std::string& field : fields) EXPECT_GE(order(coarse.fluid[field].l1, fine.fluid[field].l1), 1.35) << field;
   EXPECT_GE(order(coarse.velocity, fine.velocity), 1.9);
 }
 
@@ -149,7 +147,6 @@ void compare_with_reference(const std::string& name, const Overrides& overrides,
   }
   ASSERT_GT(rows, 70);
   EXPECT_LE(sum / rows, fluid);
-
 }
 
 TEST(RigidPiston, AgreesWithReferenceDataUnderASmoothForce) {

@@ -11,17 +11,17 @@ using namespace testing;
 constexpr double u2 = 1.479019945775, p2 = 4.5, shock_speed = 2.366431913240, arrival = 0.4 / shock_speed;
 const Overrides four_hundred_cells = {set("grid.factor", 400 / 30.0)};
 
-CaseRun<1> passed(const Overrides& overrides) {
-  CaseRun<1> run("shock_on_massless_body", four_hundred_cells + overrides);
-  run.run();
-  EXPECT_EQ(run.simulation.fluid().grids().front().cells[0], 400);
-  EXPECT_TRUE(run.finished()) << run.reason();
-  return run;
-}
+struct Passed : CaseRun<1> {
+  explicit Passed(const Overrides& overrides) : CaseRun<1>("shock_on_massless_body", four_hundred_cells + overrides) {
+    run();
+    EXPECT_EQ(simulation.fluid().grids().front().cells[0], 400);
+    EXPECT_TRUE(finished()) << reason();
+  }
+};
 
 TEST(ShockOnMasslessBody, BodyMovesWithTheGasBehindTheShock) {
   for (const std::string limiter : {"mc", "minmod", "van_albada"}) {
-    const CaseRun<1> run = passed({"fluid.limiter=" + limiter});
+    const Passed run({"fluid.limiter=" + limiter});
     const double h = 3.0 / 400, clear = arrival + 10 * h / shock_speed;  // the captured shock has left the body behind
     int steps = 0;
     for (const BodySample<1>& now : run.histories[0])
@@ -46,14 +46,14 @@ double reflected(const CaseRun<1>& run) {
 }
 
 TEST(ShockOnMasslessBody, ReflectedWaveDecaysUnderRefinement) {
-  const double coarse = reflected(passed({}));
+  const double coarse = reflected(Passed({}));
   CaseRun<1> fine("shock_on_massless_body", {"grid.factor=80"});
   EXPECT_LT(reflected(fine.run()), 0.5 * coarse);
 }
 
 /// Against a wall of the same kind as a very heavy body: p = 15 and ρ = 6 behind the reflected shock.
 TEST(ShockOnMasslessBody, HeavyBodyReflectsTheShock) {
-  const CaseRun<1> run = passed({"bodies.0.mass=1e9", "exact=none"});
+  const Passed run({"bodies.0.mass=1e9", "exact=none"});
   double worst = 0;
   for (const ActiveCell<1>& cell : run.cells())
     if (cell.x[0] > -0.4 && cell.x[0] < -0.2) worst = std::max(worst, std::abs(cell.W.pressure / 15 - 1));

@@ -1,5 +1,6 @@
-// The stability of a piston coupled to the gas without added mass: a perturbation is amplified by ζ = 1 − z Δt/m a step,
-// so it is unstable where m < z Δt/2, z the sum of ρc over the sides with gas. With added mass it is stable for every m.
+// The stability of a piston coupled to the gas without added mass: a perturbation is amplified by ζ = 1 − z Δt/m a
+// step, so it is unstable where m < z Δt/2, z the sum of ρc over the sides with gas. With added mass it is stable for
+// every m.
 #include <gtest/gtest.h>
 
 #include "verification/piston_overrides.hpp"
@@ -18,10 +19,10 @@ struct Disturbed {
   double time_step;
 
   CaseRun<1> start(double mass, double velocity) const {
-    return CaseRun<1>("rigid_piston", gases + Overrides{"grid.factor=4", "exact=none", "time.end=0.5",
-                                                        "scheme=" + scheme, set("time.step", time_step),
-                                                        set("bodies.0.mass", mass),
-                                                        "bodies.0.velocity=[" + std::to_string(velocity) + "]"});
+    return CaseRun<1>("rigid_piston",
+                      gases + Overrides{"grid.factor=4", "exact=none", "time.end=0.5", "scheme=" + scheme,
+                                        set("time.step", time_step), set("bodies.0.mass", mass),
+                                        "bodies.0.velocity=[" + std::to_string(velocity) + "]"});
   }
   /// Largest speed in the last of `steps` steps, over that at the start.
   double growth(double mass, int steps) const {
@@ -74,8 +75,9 @@ TEST(TraditionalPiston, UnstableRunGrowsAndEndsWithAReason) {
 }
 
 TEST(TraditionalPiston, IsRefusedWithoutMass) {
-  EXPECT_THROW(CaseRun<1>("rigid_piston", slab + Overrides{"exact=none", "scheme=traditional", "bodies.0.mass=0"}).run(),
-               InputError);
+  EXPECT_THROW(
+      CaseRun<1>("rigid_piston", slab + Overrides{"exact=none", "scheme=traditional", "bodies.0.mass=0"}).run(),
+      InputError);
 }
 
 }  // namespace

@@ -1,0 +1,53 @@
+// A Mach-2 shock sweeps away an ellipse of any mass, none included, at h = 1/40. The long test has the finer grids.
+#include "verification/massless_ellipse_checks.hpp"
+
+namespace mortise {
+namespace {
+
+using testing::CaseRun;
+using testing::Overrides;
+using testing::operator+;
+
+const Overrides coarse = {"grid.factor=4"};
+
+TEST(MasslessEllipse, FollowsThePublishedMotion) {
+  CaseRun<2> run("massless_ellipse", coarse);
+  for (const testing::EllipseAt& expected : testing::published_ellipse) {
+    ASSERT_TRUE(run.run(expected.time).finished()) << run.reason();
+    expect_ellipse(run, expected, 0.006, 1);  // the figures ±0.004, the grid ±0.002
+  }
+}
+
+// Grids from h = 1/20 to 1/160 give (.7355 ± .002, .0440 ± .001), turned by 32.3° ± .1° (both schemes).
+TEST(MasslessEllipse, TurnsLessWhenItIsHeavy) {
+  CaseRun<2> run("massless_ellipse", coarse + Overrides{"bodies.0.density=1"});
+  EXPECT_NEAR(run.simulation.bodies()[0].mass, 0.7697, 1e-4);
+  EXPECT_NEAR(run.simulation.bodies()[0].inertia, 0.11786, 1e-5);
+  ASSERT_TRUE(run.run().finished()) << run.reason();
+  expect_ellipse(run, testing::heavy_ellipse, 0.005, 2);
+}
+
+TEST(MasslessEllipse, TraditionalSchemeAgreesWhenItIsHeavy) {
+  CaseRun<2> added_mass("massless_ellipse", coarse + Overrides{"bodies.0.density=1"});
+  CaseRun<2> traditional("massless_ellipse", coarse + Overrides{"bodies.0.density=1", "scheme=traditional"});
+  ASSERT_TRUE(added_mass.run().finished()) << added_mass.reason();
+  ASSERT_TRUE(traditional.run().finished()) << traditional.reason();
+  expect_ellipse(traditional, ellipse(added_mass), 0.002, 0.2);
+}
+
+// Added mass over mass: z √2 perimeter Δt/m is above 2, the bound of the traditional scheme, by far.
+TEST(MasslessEllipse, TraditionalSchemeBlowsUpWhenItIsLight) {
+  const Overrides light = coarse + Overrides{"bodies.0.density=0.001"};
+  CaseRun<2> added_mass("massless_ellipse", light), traditional("massless_ellipse", light + Overrides{"scheme=traditional"});
+  ASSERT_TRUE(added_mass.run(1).finished()) << added_mass.reason();
+  expect_ellipse(added_mass, testing::published_ellipse[2], 0.01, 2);
+  EXPECT_FALSE(traditional.run(1).finished());
+  EXPECT_LT(traditional.simulation.time(), 0.5);
+}
+
+TEST(MasslessEllipse, TraditionalSchemeIsRefusedWithoutMass) {
+  EXPECT_THROW(CaseRun<2>("massless_ellipse", coarse + Overrides{"scheme=traditional"}), InputError);
+}
+
+}  // namespace
+}  // namespace mortise

@@ -1,0 +1,25 @@
+// No cell of any plane case is ever without a donor, at half the resolution it is shipped with.
+#include <gtest/gtest.h>
+
+#include "verification/case_runner.hpp"
+
+namespace mortise {
+namespace {
+
+using testing::CaseRun;
+using testing::set;
+
+const char* const plane_cases[] = {"free_stream",       "vortex_over_moving_grid", "weak_shock_on_free_cylinder", "shock_on_free_cylinder",
+                                   "massless_ellipse", "shock_rigid_sticks",      "many_cylinders"};
+
+TEST(OverlapOfCases, HasNoOrphansAtHalfResolution) {
+  for (const char* name : plane_cases) {
+    const double factor = read_case(name, {}, MORTISE_SOURCE_DIR "/cases").grid_factor;
+    CaseRun<2> run(name, {set("grid.factor", 0.5 * factor)});
+    EXPECT_TRUE(run.run().finished()) << name << ": " << run.reason();  // an orphan is an error
+    EXPECT_EQ(run.simulation.fluid().overlap().report().orphans, 0) << name;
+  }
+}
+
+}  // namespace
+}  // namespace mortise

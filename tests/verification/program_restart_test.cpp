@@ -1,0 +1,98 @@
+// A run that was stopped and goes on gives the same files, bit for bit, as one that never stopped.
+#include "mortise/grids/output/checkpoint.hpp"
+#include "mortise/grids/output/xdmf.hpp"
+#include "verification/program_scenes.hpp"
+
+namespace mortise::testing {
+namespace {
+
+/// What belongs to the last piece of a run alone.
+const std::set<std::string> work = {"cell_updates", "skipped_fraction"};
+
+class Restart : public ::testing::Test {
+ protected:
+  std::string run(const Arguments& scene, const std::string& name, const Arguments& more = {}, int ranks = 0) const {
+    const Outcome outcome = run_program(Arguments{"run"} + scene + Arguments{"--output", folder / name} + more, {ranks});
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    return folder / name;
+  }
+  std::string go_on(const Arguments& scene, const std::string& name, int ranks = 0) const {
+    const Outcome outcome = run_program(Arguments{"run"} + scene + Arguments{"--restart", folder / name}, {ranks});
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    return folder / name;
+  }
+
+  /// Stopped at `until` (and changed on the way to other numbers of ranks), then continued.
+  void expect_same(const Arguments& scene, const std::string& until) const {
+    const std::string whole = run(scene, "whole");
+    run(scene, "parts", {"--until", until});
+    EXPECT_EQ(summary_of(folder / "parts")["time"], std::stod(until));
+    EXPECT_EQ(differences(whole, go_on(scene, "parts"), work), std::vector<std::string>{});
+    run(scene, "ranks", {"--until", until}, 2);
+    EXPECT_EQ(differences(whole, go_on(scene, "ranks", 3), work), std::vector<std::string>{});
+  }
+
+  const ScratchFolder folder;
+};
+
+TEST_F(Restart, SticksBetweenFrames) { expect_same(sticks(folder), "0.35"); }
+TEST_F(Restart, SticksAtAFrame) { expect_same(sticks(folder), "0.4"); }
+TEST_F(Restart, Piston) { expect_same(piston(), "0.55"); }
+
+TEST_F(Restart, UntilLeavesACheckpointWithoutAnInterval) {
+  const Arguments scene = piston() + Arguments{"--set", "output.checkpoint_interval=0"};
+  for (const std::string until : {"0.5", "0.6"}) {  // at a frame, and not
+    run(scene, "parts", {"--until", until, "--overwrite"});
+    EXPECT_TRUE(std::filesystem::exists(folder / "parts/checkpoint.h5"));
+    go_on(scene, "parts");
+    EXPECT_EQ(summary_of(folder / "parts")["time"], 1.0);
+  }
+}
+
+TEST_F(Restart, InThreePiecesWithContacts) {
+  const Arguments scene = {"many_cylinders", "--quiet", "--frames", "2", "--set", "grid.factor=4", "--set", "time.end=1.5"};
+  const std::string whole = run(scene, "whole");
+  run(scene, "parts", {"--until", "1.1"});
+  EXPECT_EQ(run_program(Arguments{"run"} + scene + Arguments{"--restart", folder / "parts", "--until", "1.3"}).status, 0);
+  std::vector<std::string> different = differences(whole, go_on(scene, "parts"), work);
+  EXPECT_EQ(different, std::vector<std::string>{"checkpoint.h5"});  // the whole run writes none
+  EXPECT_GT(summary_of(whole)["contacts"], 0);
+}
+
+TEST_F(Restart, IntoAnotherDirectory) {
+  const Arguments scene = piston();
+  run(scene, "whole");
+  run(scene, "early", {"--until", "0.55"});
+  const std::set<std::string> before = files_in(folder / "early");
+  run(scene, "late", {"--restart", folder / "early"});
+  EXPECT_EQ(files_in(folder / "early"), before);
+  EXPECT_EQ(read_file(folder / "late/checkpoint.h5"), read_file(folder / "whole/checkpoint.h5"));
+  EXPECT_EQ(summary_of(folder / "late")["bodies"], summary_of(folder / "whole")["bodies"]);
+  const Outcome again = run_program(Arguments{"run"} + scene + Arguments{"--restart", folder / "early", "--output", folder / "late"});
+  EXPECT_EQ(again.status, 2) << "another run there must not be mixed with this one";
+}
+
+// Killed at any moment, a run leaves whole files only, and goes on to the same end.
+TEST_F(Restart, AfterAKill) {
+  const Arguments scene = sticks(folder);
+  const std::string whole = run(scene, "whole");
+  for (const int milliseconds : {0, 7, 40}) {
+    const std::string name = "killed_" + std::to_string(milliseconds), out = folder / name;
+    Program program(Arguments{"run"} + scene + Arguments{"--output", out});
+    while (!std::filesystem::exists(out + "/checkpoint.h5")) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+    program.kill();
+    const Outcome outcome = program.wait();
+    EXPECT_EQ(outcome.status, -1) << "it ended before it was killed";
+    EXPECT_FALSE(CheckpointReader(out + "/checkpoint.h5").doubles("values").empty());
+    for (const std::string& path : series_files(out)) EXPECT_EQ(read_snapshot(path).grids.size(), 6U) << path;
+    const std::string index = read_file(out + "/mortise.xdmf");
+    EXPECT_NE(index.find("</Xdmf>\n"), std::string::npos);
+    EXPECT_EQ(files_in(out).count("summary.json"), 0U);
+    write_file(out + "/fields/step_000099.h5.part", "what was being written");
+    EXPECT_EQ(differences(whole, go_on(scene, name), work), std::vector<std::string>{}) << milliseconds << " ms";
+  }
+}
+
+}  // namespace
+}  // namespace mortise::testing
