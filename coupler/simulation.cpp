@@ -182,14 +182,15 @@ double Simulation<Dim>::extra_rate(const Motion& motion) const {
   return extra;
 }
 
+/// The body that runs away in this motion, or nothing. Bodies with a prescribed force may be as fast as they are made.
 template <int Dim>
-void Simulation<Dim>::check_runaway(const Motion& motion) const {
+std::string Simulation<Dim>::runaway(const Motion& motion) const {
   for (std::size_t b = 0; b < bodies_.size(); ++b)
     for (int d = 0; d < Dim; ++d)
-      if (!bodies_[b].held[static_cast<std::size_t>(d)] && !(std::fabs(motion.end[b][d]) <= runaway_factor * fastest_wave_))
-        throw NumericalError("the coupling is unstable at t = " + std::to_string(time_) + ", step " + std::to_string(step_) + ": body " +
-                             bodies_[b].name + " moves at " + std::to_string(motion.end[b][d]) + ", more than " +
-                             std::to_string(static_cast<int>(runaway_factor)) + " times the fastest wave of the initial state");
+      if (!bodies_[b].held[static_cast<std::size_t>(d)] && !setup_.bodies[b].force[static_cast<std::size_t>(d)] && !(std::fabs(motion.end[b][d]) <= runaway_factor * fastest_wave_))
+        return "body " + bodies_[b].name + " moves at " + std::to_string(motion.end[b][d]) + ", more than " +
+               std::to_string(static_cast<int>(runaway_factor)) + " times the fastest wave of the initial state";
+  return "";
 }
 
 template <int Dim>
@@ -204,24 +205,39 @@ double Simulation<Dim>::next_step(double limit) const {
 
 template <int Dim>
 double Simulation<Dim>::advance(double limit) {
-  double dt = next_step(limit);
-  Motion motion;
-  for (int attempt = 0;; ++attempt) {
-    motion = move_bodies(dt);
-    check_runaway(motion);
+  try {
+    double dt = next_step(limit);
+    const Motion motion = attempt(dt);
+    accept(motion, dt, limit);
+    return dt;
+  } catch (const NumericalError& error) {
+    throw NumericalError("the computation failed at t = " + std::to_string(time_) + ", step " + std::to_string(step_) + ": " + error.what());
+  }
+}
+
+/// Bodies and fluid over dt, which is made smaller until the step is admissible.
+template <int Dim>
+typename Simulation<Dim>::Motion Simulation<Dim>::attempt(double& dt) {
+  for (int tries = 0;; ++tries) {
+    Motion motion = move_bodies(dt);
+    const std::string lost = runaway(motion);
     const double fastest = dt * (fluid_.rate() + extra_rate(motion));
-    const bool too_fast = setup_.time_step <= 0 && fastest > 1 && attempt < 20;
-    if (!too_fast && fluid_.step(motion.paths, motion.pressure, dt)) break;
-    const std::string bad = too_fast ? "" : fluid_.first_bad_cell(motion.paths);
-    if (attempt >= 30 || dt < 1e-14 * (std::fabs(time_) + 1))
-      throw NumericalError("the computation failed at t = " + std::to_string(time_) + ", step " + std::to_string(step_) + ": " + bad);
-    dt = too_fast ? dt * std::max(0.5, std::min(0.95, setup_.cfl / fastest)) : 0.5 * dt;
+    const bool too_fast = lost.empty() && setup_.time_step <= 0 && fastest > 1 && tries < 20;
+    const bool admissible = !too_fast && fluid_.step(motion.paths, motion.pressure, dt);
+    if (admissible && lost.empty()) return motion;
+    const std::string bad = too_fast || admissible ? "" : fluid_.first_bad_cell(motion.paths);
+    if (!lost.empty()) throw NumericalError("the coupling is unstable, " + lost + (bad.empty() ? "" : "; first bad cell: " + bad));
     ++repeats_;
     restless_ += 2;
     if (restless_ > 2 * repeat_limit)
-      throw NumericalError("the coupling is unstable at t = " + std::to_string(time_) + ", step " + std::to_string(step_) +
-                           ": steps have to be repeated again and again" + (bad.empty() ? "" : ", last for " + bad));
+      throw NumericalError("the coupling is unstable, steps have to be repeated again and again" + (bad.empty() ? "" : ", last for " + bad));
+    if (tries >= 30 || dt < 1e-14 * (std::fabs(time_) + 1)) throw NumericalError(bad);
+    dt = too_fast ? dt * std::max(0.5, std::min(0.95, setup_.cfl / fastest)) : 0.5 * dt;
   }
+}
+
+template <int Dim>
+void Simulation<Dim>::accept(const Motion& motion, double dt, double limit) {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     bodies_[b].pose = motion.paths[b].end;
     bodies_[b].y = motion.end[b];
@@ -237,7 +253,6 @@ double Simulation<Dim>::advance(double limit) {
   cell_updates_ += fluid_.last_count().computed;
   cells_skipped_ += fluid_.last_count().skipped;
   fluid_.commit(poses(), time_);
-  return dt;
 }
 
 template <int Dim>

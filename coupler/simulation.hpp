@@ -6,7 +6,7 @@
 //   advance fluid   every grid, body grids along the path of their body, wall faces with the scheme's pressure
 //   correct grids   cut holes for the new poses, interpolate fringe and exposed cells, fill ghosts
 // A step whose state is not admissible, or whose walls turn out faster than Δt allows, is repeated with a smaller Δt. The
-// coupling counts as unstable when a free body moves faster than runaway_factor times the fastest wave of the initial
+// coupling counts as unstable when a body that nothing but gas pushes moves faster than runaway_factor times the fastest wave of the initial
 // state, which no gas can make it do, and when repeated steps outnumber half the others by more than repeat_limit: small Δt
 // would then only hide that the coupling does not hold.
 #pragma once
@@ -106,7 +106,9 @@ class Simulation {
   CoupledBody<Dim> coupled_body(std::size_t body, const BodyPath<Dim>& predicted, const std::vector<WallTrace<Dim>>& traces, double dt) const;
   std::vector<ContactPoint<Dim>> near_contacts(double within) const;
   double extra_rate(const Motion& motion) const;
-  void check_runaway(const Motion& motion) const;
+  std::string runaway(const Motion& motion) const;
+  Motion attempt(double& dt);
+  void accept(const Motion& motion, double dt, double limit);
 
   Communicator comm_;
   SimulationSetup<Dim> setup_;

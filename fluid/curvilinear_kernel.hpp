@@ -6,6 +6,7 @@
 
 #include "mortise/fluid/node_rows.hpp"
 #include "mortise/fluid/rows.hpp"
+#include "mortise/fluid/wall_slope.hpp"
 
 namespace mortise {
 
@@ -73,14 +74,16 @@ class CurvilinearKernel {
     make_primitive(-2);
     make_primitive(-1);
   }
-  /// The ghost row of a wall: W_{−1} = 2 W_0 − W_1 makes every limiter return the one-sided difference W_1 − W_0.
+  /// The ghost row of a wall makes the slopes along its normal (wall_slope.hpp).
   void start_at_wall() const {
     make_primitive(0);
     make_primitive(1);
-    for (std::size_t c = 0; c < 4; ++c) {
-      const double* inner = primitive_row(0) + c * stride_;
-      double* ghost = primitive_row(-1) + c * stride_;
-      for (int i = row_start; i < nx_ + 2; ++i) ghost[i] = 2 * inner[i] - ghost[i];
+    const double* const far = tile_.now + tile_.shape->at(0, 2);
+    double *const wall = primitive_row(0), *const ghost = primitive_row(-1);  // ghost: row 1 until here
+    for (int i = row_start; i < nx_ + 2; i += simd_width) {
+      const State W = rows::load_primitive<2>(wall + i, stride_), inner = rows::load_primitive<2>(ghost + i, stride_);
+      const Flux U = rows::valid_beyond<2>(nx_ + 2 - i, rows::load_conserved<2>(far + i, plane_));
+      rows::store_primitive<2>(ghost + i, stride_, beyond_wall<limiter>(W, inner, to_primitive(U, gamma_)));
     }
   }
   void make_primitive(int r) const {

@@ -3,7 +3,7 @@
 // (reconstruction.hpp, hllc.hpp, hlle.hpp, exact_flux.hpp; *_kernel.hpp for the loops).
 // * Stencil: the new value of cell (i, j) depends on the cells (i + a, j + b) with |a| + |b| ≤ 2 and on no others; on a
 // line
-//   on |a| ≤ 2. Ghosts behind a wall are not read.
+//   on |a| ≤ 2; next to a wall also on (i ± 1, 2). Ghosts behind a wall are not read.
 // * Reproducible: the same cells give the same bits whatever the size of the tile and their place in it; uniform flow
 // on
 //   Cartesian tiles and lines stays uniform to the bit, on moving curvilinear ones to round-off; mirrored flow on them
@@ -35,7 +35,8 @@ struct StepResult {
 };
 
 /// A side of a tile that is a solid wall whose flux is (0, p n, p w·n), p given per face (shifted pressure p̃ ... the
-/// caller passes the physical p + p∞). Slopes normal to the wall are one-sided and unlimited.
+/// caller passes the physical p + p∞). Slopes normal to the wall come from the three cells next to it (wall_slope.hpp),
+/// so between two walls there are at least three cells.
 struct WallSide {
   bool present = false;
   const double* pressure = nullptr;  // p̃ per wall face, indexed by the cell along the wall (1D: one number)

@@ -1,18 +1,13 @@
-// Fluid state at the faces of a wall: the cell next to it extrapolated with the one-sided slope, at t and, by the same
-// Hancock half step as in the kernels (reconstruction.hpp), at t + ½Δt. Second order.
+// Fluid state at the faces of a wall: the cell next to it extrapolated with its slope (wall_slope.hpp), at t and, by the
+// same Hancock half step as in the kernels (reconstruction.hpp), at t + ½Δt. Second order.
 #include "mortise/fluid/line_kernel.hpp"
 #include "mortise/fluid/node_rows.hpp"
 #include "mortise/fluid/rows.hpp"
 #include "mortise/fluid/step_kernels.hpp"
+#include "mortise/fluid/wall_slope.hpp"
 
 namespace mortise {
 namespace {
-
-/// The state beyond the wall that makes the slope of the cell `wall` the one-sided difference to `inner`.
-template <int Dim, class T>
-MORTISE_INLINE Primitive<Dim, T> beyond_wall(const Primitive<Dim, T>& wall, const Primitive<Dim, T>& inner) {
-  return wall + (wall - inner);
-}
 
 Primitive<1> line_cell(const MovingLineTile& tile, int i, double gamma) {
   const double* U = tile.line.now + tile.line.shape->at(i);
@@ -25,7 +20,7 @@ WallTrace1 line_trace(const MovingLineTile& tile, bool right_end, double dt, con
   const int last = tile.line.shape->cells[0] - 1;
   const Primitive<1> W = line_cell(tile, right_end ? last : 0, options.gamma);
   const Primitive<1> inner = line_cell(tile, right_end ? last - 1 : 1, options.gamma);
-  const Primitive<1> outer = beyond_wall(W, inner);
+  const Primitive<1> outer = beyond_wall<limiter>(W, inner, line_cell(tile, right_end ? last - 2 : 2, options.gamma));
   HalfSlopes<1, double> h = {{limited_half_slopes<limiter>(right_end ? inner : outer, W, right_end ? outer : inner,
                                                            rows::limiter_floor<1>(options))}};
   WallTrace1 trace;
@@ -54,7 +49,7 @@ PlaneTrace plane_trace(const CurvilinearTile& tile, const MovingCell<Pack>& node
   const Primitive<2> floor = rows::limiter_floor<2>(options);
   const Primitive<2, Pack> W = state(i, 0), inner = state(i, 1);
   HalfSlopes<2, Pack> h = {{limited_half_slopes<limiter>(state(i - 1, 0), W, state(i + 1, 0), floor),
-                            limited_half_slopes<limiter>(beyond_wall(W, inner), W, inner, floor)}};
+                            limited_half_slopes<limiter>(beyond_wall<limiter>(W, inner, state(i, 2)), W, inner, floor)}};
   PlaneTrace trace;
   trace.now = W - h[1];
   const MovingCell<Pack> cell = nodes.after(0.5 * dt);

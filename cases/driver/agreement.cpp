@@ -38,7 +38,8 @@ void agree(const Communicator& comm, const std::function<void()>& action) {
   int first = 0;
   while (statuses[static_cast<std::size_t>(first)] == 0) ++first;
   if (comm.rank() != first) failure.sentence.clear();
-  const std::vector<char> sentence = comm.gather_all(std::vector<char>(failure.sentence.begin(), failure.sentence.end()));
+  const std::vector<char> sentence =
+      comm.gather_all(std::vector<char>(failure.sentence.begin(), failure.sentence.end()));
   throw AgreedFailure({sentence.begin(), sentence.end()}, statuses[static_cast<std::size_t>(first)]);
 }
 

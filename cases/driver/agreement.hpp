@@ -15,8 +15,9 @@ struct AgreedFailure : std::runtime_error {
   int status;  // of the program
 };
 
-/// Runs `action`, which communicates with nobody, on every rank. When it throws InputError, EnvironmentError or an error of
-/// the file system or memory on some rank, every rank throws the AgreedFailure of the lowest such rank. Collective.
+/// Runs `action`, which communicates with nobody, on every rank. When it throws InputError, EnvironmentError or an
+/// error of the file system or memory on some rank, every rank throws the AgreedFailure of the lowest such rank.
+/// Collective.
 void agree(const Communicator& comm, const std::function<void()>& action);
 
 }  // namespace mortise

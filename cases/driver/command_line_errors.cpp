@@ -18,7 +18,8 @@ bool read(const std::string& text, Number& number) {
 
 std::string unknown(const std::string& what, const std::string& word, const std::vector<std::string>& known) {
   const std::string guess = nearest(word, known);
-  return "unknown " + what + " \"" + word + "\"" + (guess.empty() ? "" : ", did you mean \"" + guess + "\"?") + " (known: " + joined(known) + ")";
+  return "unknown " + what + " \"" + word + "\"" + (guess.empty() ? "" : ", did you mean \"" + guess + "\"?") +
+         " (known: " + joined(known) + ")";
 }
 
 std::vector<std::string> command_names(const CLI::App& app) {
@@ -37,7 +38,8 @@ std::vector<std::string> option_names(const CLI::App& command) {
 /// The first argument that nothing takes, an option before others; empty: none.
 std::string first_unused(const CLI::App& app) {
   const std::vector<std::string> unused = app.remaining(true);
-  const auto option = std::find_if(unused.begin(), unused.end(), [](const std::string& word) { return word.rfind('-', 0) == 0; });
+  const auto option =
+      std::find_if(unused.begin(), unused.end(), [](const std::string& word) { return word.rfind('-', 0) == 0; });
   if (option != unused.end()) return *option;
   return unused.empty() ? "" : unused.front();
 }
@@ -49,8 +51,10 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error) {
   const std::string unused = first_unused(app);
   const CLI::App& command = chosen.empty() ? app : *chosen.front();
   const std::string place = chosen.empty() ? "" : command.get_name() + ": ";
-  const std::string help = chosen.empty() ? " (see mortise --help)" : " (see mortise " + command.get_name() + " --help)";
-  if (!unused.empty() && unused.front() == '-') return place + unknown("option", unused.substr(0, unused.find('=')), option_names(command));
+  const std::string help =
+      chosen.empty() ? " (see mortise --help)" : " (see mortise " + command.get_name() + " --help)";
+  if (!unused.empty() && unused.front() == '-')
+    return place + unknown("option", unused.substr(0, unused.find('=')), option_names(command));
   if (!unused.empty() && chosen.empty()) return unknown("command", unused, command_names(app));
   if (chosen.empty()) return "a command is missing: " + joined(command_names(app)) + help;
   if (!unused.empty()) return place + "unexpected argument \"" + unused + "\"" + help;

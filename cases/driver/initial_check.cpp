@@ -13,9 +13,11 @@ bool admissible(double value) { return value > 0 && std::isfinite(value); }
 template <int Dim>
 [[noreturn]] void refuse(const CaseDescription& description, const Point<Dim>& x, const Primitive<Dim>& W) {
   std::ostringstream text;
-  text << description.path << ": initial: density " << W.density << " and pressure " << W.pressure - description.p_inf << " at (" << x[0];
+  text << description.path << ": initial: density " << W.density << " and pressure " << W.pressure - description.p_inf
+       << " at (" << x[0];
   if constexpr (Dim == 2) text << ", " << x[1];
-  text << ") are not allowed: density must be > 0 and pressure > " << 0 - description.p_inf << " everywhere in the gas at t = 0";
+  text << ") are not allowed: density must be > 0 and pressure > " << 0 - description.p_inf
+       << " everywhere in the gas at t = 0";
   throw InputError(text.str());
 }
 
@@ -26,7 +28,8 @@ void check_initial_state(const CaseDescription& description, const Simulation<Di
   const EulerSolver<Dim>& fluid = simulation.fluid();
   for (std::size_t g = 0; g < fluid.grids().size(); ++g) {
     const ComponentGrid<Dim>& grid = fluid.grids()[g];
-    const Pose<Dim> pose = grid.background() ? Pose<Dim>{} : simulation.bodies()[static_cast<std::size_t>(grid.body)].pose;
+    const Pose<Dim> pose =
+        grid.background() ? Pose<Dim>{} : simulation.bodies()[static_cast<std::size_t>(grid.body)].pose;
     for (int t = 0; t < grid.forest.local_count(); ++t)
       for_each_cell<Dim>(grid.shape, 0, [&](const Index<Dim>& cell) {
         const std::size_t k = grid.shape.at(cell);

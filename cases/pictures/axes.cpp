@@ -21,6 +21,7 @@ std::vector<Tick> ticks(double low, double high, int count) {
   const double lead = rough / decade;
   const double step = decade * (lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10);
   const double largest = std::max(std::fabs(low), std::fabs(high));
+  if (step < 1e-14 * largest) return {};  // multiples of the step would not differ
   const int decimals = static_cast<int>(-std::floor(std::log10(step) + 1e-9));
   const int digits = std::clamp(static_cast<int>(std::ceil(std::log10(largest / step))) + 1, 1, 17);
   const bool plain = decimals <= 4 && largest < 1e5;

@@ -142,7 +142,8 @@ std::array<double, 2> value_range(const Snapshot& snapshot, const PictureValues&
     return {0, *rank};
   }
   const auto [low, high] = std::minmax_element(active.begin(), active.end());
-  return {*low, *high};
+  const bool flat = *high - *low < 1e-13 * std::max(std::fabs(*low), std::fabs(*high));  // round-off is not worth colours
+  return {*low, flat ? *low : *high};
 }
 
 }  // namespace mortise

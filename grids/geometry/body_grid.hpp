@@ -48,7 +48,7 @@ GridQuality check(const GrownGrid& grid);
 /// Where a point is on a grid, relative to the 3 × 3 cell centres its coordinates were found on.
 struct StencilPoint {
   Index<2> center{};                   // middle cell (i, j): 0 ≤ i < along, 1 ≤ j ≤ layers − 2
-  Point<2> offset = Point<2>::Zero();  // in cells, from the middle: |offset[0]| ≤ ½, |offset[1]| ≤ 1½, to O(h)
+  Point<2> offset = Point<2>::Zero();  // in cells, from the middle: |offset[0]| ≲ ½, |offset[1]| ≲ 1½
 };
 
 /// Distance and location tables of one grown grid. Immutable; may be asked from several threads.
@@ -83,8 +83,7 @@ class BodyAtlas {
   /// interpolant of the nine nearest cell centres (stencil clamped to rows 0 … layers − 1), so that biquadratic
   /// interpolation on that stencil reproduces X to 1e-12 spacings. Returns false when X is not within the grid
   /// (a tenth of a cell beyond η = −½ and layers − ½ is granted: edges are curved).
-  /// Where neighbouring stencils disagree (to third order) about which side of their common border X is on, one of
-  /// them is taken: the StencilPoint names it, round(ξ) may name its neighbour.
+  /// The stencil's middle is the cell with the nearest centre; to third order, round(ξ) may name its neighbour.
   bool locate(const Point<2>& X, StencilPoint& where) const;
   bool locate(const Point<2>& X, Point<2>& logical) const;
 
@@ -99,6 +98,7 @@ class BodyAtlas {
   void fill_nearest_cells();
   double distance_bound(const Point<2>& X) const;
   int nearest_cell(const Point<2>& X) const;  // −1: none near
+  Index<2> nearest_center(const Point<2>& X, Index<2> cell) const;
   Point<2> logical(const StencilPoint& where) const;
 
   GrownGrid grid_;

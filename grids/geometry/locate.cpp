@@ -1,7 +1,8 @@
 // Where is X on the grid? On the 3 × 3 cell centres c_kl around a middle cell, with (u, v) the offset in cells,
 //   x(u, v) = Σ_kl L_k(u) L_l(v) c_kl,   L_{−1} = u(u−1)/2, L_0 = 1 − u², L_1 = u(u+1)/2,
-// is solved for (u, v) by Newton's method, in powers of u and v and relative to the middle centre; when the solution
-// belongs to a neighbouring cell, its stencil takes over. Third order in the spacing.
+// is solved for (u, v) by Newton's method, in powers of u and v and relative to the middle centre. The middle is the cell
+// whose centre is nearest to X, a choice that does not depend on where the search began, nor on which way round the
+// grid is numbered. Third order in the spacing.
 #include <array>
 #include <cmath>
 
@@ -14,10 +15,8 @@ namespace {
 constexpr double converged = 1e-7;   // Newton step, cells: the error left is its square
 constexpr double slack = 0.1;        // cells beyond the grid that still count as on it
 constexpr double clamp_inside = 3;   // spacings inside the body that locate_clamped() accepts
-constexpr double early_move = 0.75;  // cells: a stencil is left before convergence beyond this offset
 constexpr double farthest = 2.5;     // cells: larger offsets are cut
-constexpr int most_iterations = 60;
-constexpr int patience = 30;  // iterations after which stencils that disagree are no longer asked again
+constexpr int most_iterations = 30;
 
 /// Quadratic through three equally spaced values: q[0] + q[1] t + q[2] t², t = −1, 0, 1.
 using Quadratic = std::array<Point<2>, 3>;
@@ -69,36 +68,40 @@ int BodyAtlas::nearest_cell(const Point<2>& X) const {
   return cell_table_[static_cast<std::size_t>(static_cast<int>(y) * table_size_[0] + static_cast<int>(x))];
 }
 
+/// The cell whose centre is nearest to X, found downhill from a cell close to it.
+Index<2> BodyAtlas::nearest_center(const Point<2>& X, Index<2> cell) const {
+  double best = (X - center(cell[0], cell[1])).squaredNorm();
+  for (bool moved = true; moved;) {
+    moved = false;
+    const Index<2> from = cell;
+    for (int j = std::max(from[1] - 1, 0); j <= std::min(from[1] + 1, grid_.layers - 1); ++j)
+      for (int i = from[0] - 1; i <= from[0] + 1; ++i) {
+        const double distance2 = (X - center(i, j)).squaredNorm();
+        if (distance2 >= best) continue;
+        best = distance2;
+        cell = {wrapped(i, grid_.along), j};
+        moved = true;
+      }
+  }
+  return cell;
+}
+
 bool BodyAtlas::locate(const Point<2>& X, StencilPoint& where) const {
-  const int cell = nearest_cell(X);
-  if (cell < 0) return false;
-  const auto middle_row = [&](int j) { return std::clamp(j, 1, grid_.layers - 2); };
-  const int row = cell / grid_.along;
-  where.center = {cell % grid_.along, middle_row(row)};
-  where.offset = {0, row - where.center[1]};
-  Index<2> left{-1, -1};
-  Biquadratic map(*this, where.center);
+  const int close = nearest_cell(X);
+  if (close < 0) return false;
+  const Index<2> nearest = nearest_center(X, {close % grid_.along, close / grid_.along});
+  where.center = {nearest[0], std::clamp(nearest[1], 1, grid_.layers - 2)};
+  where.offset = {0, nearest[1] - where.center[1]};
+  const Biquadratic map(*this, where.center);
+  const Point<2> target = X - center(where.center[0], where.center[1]);
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
-    const Point<2> step = newton_step(map, X - center(where.center[0], where.center[1]), where.offset);
+    const Point<2> step = newton_step(map, target, where.offset);
     where.offset += step;
     if (!where.offset.allFinite()) return false;
     where.offset = where.offset.cwiseMax(-farthest).cwiseMin(farthest);
-    const bool done = step.squaredNorm() < converged * converged;
-    const int shift = static_cast<int>(std::lround(where.offset[0]));
-    const Index<2> better{wrapped(where.center[0] + shift, grid_.along),
-                          middle_row(where.center[1] + static_cast<int>(std::lround(where.offset[1])))};
-    const auto outside = [&](double limit) {
-      return std::abs(where.offset[0]) > limit || (better[1] != where.center[1] && std::abs(where.offset[1]) > limit);
-    };
-    if (done && (better == where.center || (!outside(0.5 + slack) && (better == left || iteration > patience)))) {
-      const double eta = where.center[1] + where.offset[1];
-      return eta >= -0.5 - slack && eta <= grid_.layers - 0.5 + slack;
-    }
-    if (better == where.center || (!done && !outside(early_move))) continue;
-    left = where.center;
-    where.offset -= Point<2>(shift, better[1] - where.center[1]);
-    where.center = better;
-    map = Biquadratic(*this, where.center);
+    if (step.squaredNorm() >= converged * converged) continue;
+    const double eta = where.center[1] + where.offset[1];
+    return std::abs(where.offset[0]) <= 1 && eta >= -0.5 - slack && eta <= grid_.layers - 0.5 + slack;
   }
   return false;
 }
@@ -109,7 +112,7 @@ bool BodyAtlas::locate_clamped(const Point<2>& X, StencilPoint& where) const {
   if (cell < 0 || distance(X) < -clamp_inside * grid_.spacing || distance(X) > 0.5 * grid_.spacing) return false;
   where.center = {cell % grid_.along, 1};
   where.offset = {0, -1};
-  for (int iteration = 0; iteration < patience; ++iteration) {
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
     const int i = where.center[0];
     const Quadratic row = quadratic(center(i - 1, 0), center(i, 0), center(i + 1, 0));
     const double u = where.offset[0];

@@ -27,21 +27,21 @@ bool locate_in(const LineAtlas& atlas, int side, const Point<1>& X, bool tight, 
   return true;
 }
 
-/// All offsets with entries −range … range, the nearest first.
+/// All shifts with entries −range … range, those closest to the point at `offset` first: no direction is preferred.
 template <int Dim>
-std::vector<Index<Dim>> nearest_first(int range) {
-  std::vector<Index<Dim>> offsets;
+std::vector<Index<Dim>> nearest_first(int range, const std::array<double, Dim>& offset) {
+  std::vector<Index<Dim>> shifts;
   Index<Dim> low, high;
   low.fill(-range);
   high.fill(range + 1);
-  for_each_index<Dim>(low, high, [&](const Index<Dim>& c) { offsets.push_back(c); });
-  const auto length = [](const Index<Dim>& c) {
-    int sum = 0;
-    for (const int k : c) sum += k * k;
+  for_each_index<Dim>(low, high, [&](const Index<Dim>& c) { shifts.push_back(c); });
+  const auto distance2 = [&](const Index<Dim>& c) {
+    double sum = 0;
+    for (std::size_t d = 0; d < Dim; ++d) sum += (c[d] - offset[d]) * (c[d] - offset[d]);
     return sum;
   };
-  std::stable_sort(offsets.begin(), offsets.end(), [&](const Index<Dim>& a, const Index<Dim>& b) { return length(a) < length(b); });
-  return offsets;
+  std::stable_sort(shifts.begin(), shifts.end(), [&](const Index<Dim>& a, const Index<Dim>& b) { return distance2(a) < distance2(b); });
+  return shifts;
 }
 
 }  // namespace
@@ -176,25 +176,26 @@ bool Overlap<Dim>::accept(const Candidate& request, Donor<Dim>& donor) const {
   for (std::size_t d = 0; d < Dim; ++d) middle[d] %= grid.shape.cells[d];
   donor.grid = request.grid;
   donor.tile = at.local;
-  static const std::vector<Index<Dim>> shifts = nearest_first<Dim>(1);
-  for (const Index<Dim>& shift : shifts) {
+  const auto accept_shifted = [&](const Index<Dim>& shift) {
     Index<Dim> center = middle;
     for (std::size_t d = 0; d < Dim; ++d) center[d] += shift[d];
-    if (!stencil_valid(request.grid, at.local, center)) continue;
+    if (!stencil_valid(request.grid, at.local, center)) return false;
     donor.center = grid.shape.at(center);
     for (std::size_t d = 0; d < Dim; ++d) donor.weights[d] = quadratic_weights(request.offset[d] - shift[d]);
     return true;
-  }
+  };
+  if (accept_shifted(Index<Dim>{})) return true;
+  for (const Index<Dim>& shift : nearest_first<Dim>(1, request.offset))
+    if (accept_shifted(shift)) return true;
   return request.tight && accept_reduced(request, at.local, middle, donor);
 }
 
 /// For pockets where no stencil of nine fits: the value of the nearest usable cell. First-order, counted as tight.
 template <int Dim>
 bool Overlap<Dim>::accept_reduced(const Candidate& request, int tile, const Index<Dim>& middle, Donor<Dim>& donor) const {
-  static const std::vector<Index<Dim>> shifts = nearest_first<Dim>(2);
   const ComponentGrid<Dim>& grid = grids_[static_cast<std::size_t>(request.grid)];
   const Index<Dim> first = grid.first_cell(tile);
-  for (const Index<Dim>& shift : shifts) {
+  for (const Index<Dim>& shift : nearest_first<Dim>(2, request.offset)) {
     Index<Dim> cell = middle;
     bool inside = true;
     for (std::size_t d = 0; d < Dim; ++d) {

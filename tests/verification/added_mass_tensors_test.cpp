@@ -83,7 +83,8 @@ TEST(AddedMassTensors, Capsule) {  // a stick whose fillet is half its width: ha
 }
 
 TEST(AddedMassTensors, TraceIsImpedanceTimesPerimeter) {
-  for (const Outline& outline : {Outline::circle(0.25), Outline::ellipse(0.7, 0.35), Outline::rounded_rectangle(0.1, 0.5, 0.038)}) {
+  for (const Outline& outline :
+       {Outline::circle(0.25), Outline::ellipse(0.7, 0.35), Outline::rounded_rectangle(0.1, 0.5, 0.038)}) {
     const Computed computed = added_mass(outline, 0.0125, 0.7, 3.5);
     EXPECT_NEAR(computed.tensor(0, 0) + computed.tensor(1, 1), 3.5 * computed.perimeter, 1e-12);
     EXPECT_NEAR(computed.perimeter, outline.perimeter(), 2e-3 * outline.perimeter());

@@ -13,9 +13,11 @@ using testing::set;
 double least_gap(const CaseRun<2>& run) {
   std::vector<GapBody<2>> shapes;
   for (std::size_t b = 0; b < run.simulation.bodies().size(); ++b)
-    shapes.push_back({run.scene.setup.fluid.bodies[b].shape.atlas.get(), run.scene.setup.bodies[b].outline.get(), run.simulation.bodies()[b].pose});
+    shapes.push_back({run.scene.setup.fluid.bodies[b].shape.atlas.get(), run.scene.setup.bodies[b].outline.get(),
+                      run.simulation.bodies()[b].pose});
   double least = 1e300;
-  for (const ContactPoint<2>& gap : find_gaps<2>(shapes, run.scene.setup.fluid.domain, {false, false}, 0.1)) least = std::min(least, gap.gap);
+  for (const ContactPoint<2>& gap : find_gaps<2>(shapes, run.scene.setup.fluid.domain, {false, false}, 0.1))
+    least = std::min(least, gap.gap);
   return least;
 }
 
@@ -29,7 +31,8 @@ Point<2> momentum(const CaseRun<2>& run) {
 Point<2> impulse(const CaseRun<2>& run) {
   Point<2> sum = Point<2>::Zero();
   for (const auto& history : run.histories)
-    for (std::size_t k = 1; k < history.size(); ++k) sum += (history[k].time - history[k - 1].time) * history[k].load.force;
+    for (std::size_t k = 1; k < history.size(); ++k)
+      sum += (history[k].time - history[k - 1].time) * history[k].load.force;
   return sum;
 }
 

@@ -1,4 +1,5 @@
-// A mirrored scene gives the mirrored answer, through shocks, moving grids and contacts: nothing in the program prefers a side.
+// A mirrored scene gives the mirrored answer, through shocks, moving grids and contacts: nothing in the program prefers
+// a side.
 #include <gtest/gtest.h>
 
 #include "verification/case_runner.hpp"

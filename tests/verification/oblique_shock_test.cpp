@@ -38,7 +38,8 @@ TEST(ObliqueShock, LeavesTheFlowUniform) {
   const double angle = run.description.initial.angle * std::acos(-1) / 180, h = run.description.spacing();
   double ahead = 0, behind = 0;
   for (const testing::ActiveCell<2>& cell : run.cells()) {
-    const double distance = cell.x[0] * std::cos(angle) + cell.x[1] * std::sin(angle) - run.description.initial.position;
+    const double distance =
+        cell.x[0] * std::cos(angle) + cell.x[1] * std::sin(angle) - run.description.initial.position;
     const Primitive<2> exact = run.scene.exact->state(cell.x, run.simulation.time());
     const double error = std::abs(cell.W.pressure - exact.pressure) / exact.pressure;
     if (distance > 10 * h) ahead = std::max(ahead, error);

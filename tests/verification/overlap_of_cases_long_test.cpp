@@ -8,8 +8,13 @@ namespace {
 
 using testing::CaseRun;
 
-const char* const plane_cases[] = {"free_stream",       "vortex_over_moving_grid", "weak_shock_on_free_cylinder", "shock_on_free_cylinder",
-                                   "massless_ellipse", "shock_rigid_sticks",      "many_cylinders"};
+const char* const plane_cases[] = {"free_stream",
+                                   "vortex_over_moving_grid",
+                                   "weak_shock_on_free_cylinder",
+                                   "shock_on_free_cylinder",
+                                   "massless_ellipse",
+                                   "shock_rigid_sticks",
+                                   "many_cylinders"};
 
 TEST(OverlapOfCasesLong, HasNoOrphansAsShipped) {
   for (const char* name : plane_cases) {

@@ -30,13 +30,16 @@ class BadInput : public ::testing::TestWithParam<Mistake> {
     write("words.txt", "0 0\n0.2 0\nabc 1\n");
     write("cross.txt", "0 0\n0.2 0.2\n0.2 0\n0 0.2\n0 0\n");
     std::string half_circle;
-    for (int k = 0; k <= 12; ++k) half_circle += std::to_string(0.2 * std::cos(k * 0.25)) + " " + std::to_string(0.2 * std::sin(k * 0.25)) + "\n";
+    for (int k = 0; k <= 12; ++k)
+      half_circle += std::to_string(0.2 * std::cos(k * 0.25)) + " " + std::to_string(0.2 * std::sin(k * 0.25)) + "\n";
     write("open.txt", half_circle);
     write("broken.toml", "[grid]\nfactor = = 4\n");
   }
   void write(const std::string& name, const std::string& text) const { write_file(folder / name, text); }
 
-  Outcome start(const Arguments& arguments, int ranks = 0) const { return run_program(arguments, {ranks, folder.path()}); }
+  Outcome start(const Arguments& arguments, int ranks = 0) const {
+    return run_program(arguments, {ranks, folder.path()});
+  }
 
   /// Status 2, one line on stderr with the fragments, nothing else, no output.
   void expect_refused(const Outcome& outcome, const std::vector<std::string>& fragments) const {
@@ -80,7 +83,8 @@ std::vector<Mistake> mistakes() {
       {"cfl_above_1", sets({"time.cfl=1.01"}), {"time.cfl = 1.01", "(0, 1]"}},
       {"cfl_0", sets({"time.cfl=0"}), {"time.cfl = 0", "(0, 1]"}},
       {"gamma_1", sets({"gas.gamma=1"}), {"gas.gamma = 1", "> 1"}},
-      {"crossing_polygon", sets({"bodies.1.corners=[[-0.2, -0.2], [0.2, 0.2], [0.2, -0.2], [-0.2, 0.2]]"}),
+      {"crossing_polygon",
+       sets({"bodies.1.corners=[[-0.2, -0.2], [0.2, 0.2], [0.2, -0.2], [-0.2, 0.2]]"}),
        {"case.toml:19:", "bodies.1 (second)", "the polygon crosses or touches itself"}},
       {"fillet_too_large", sets({"bodies.1.fillet=0.5"}), {"case.toml:19:", "a fillet of 0.5 does not fit"}},
       {"crossing_spline", spline("cross.txt"), {"case.toml:13:", "cross.txt", "crosses or touches itself"}},
@@ -88,14 +92,17 @@ std::vector<Mistake> mistakes() {
       {"spline_of_words", spline("words.txt"), {"words.txt:3", "expected two numbers", "abc 1"}},
       {"no_spline_file", spline("none.txt"), {"none.txt", "cannot be read"}},
       {"spline_file_is_a_folder", spline("."), {"bodies.0.points", "cannot be read"}},
-      {"overlapping_bodies", sets({"bodies.1.position=[-0.2, 0]"}),
+      {"overlapping_bodies",
+       sets({"bodies.1.position=[-0.2, 0]"}),
        {"case.toml:13:", "bodies.0 (first) overlaps bodies.1 (second)", "move it by at least"}},
-      {"bodies_too_close", sets({"bodies.1.position=[0.0, 0.05]"}),
+      {"bodies_too_close",
+       sets({"bodies.1.position=[0.0, 0.05]"}),
        {"bodies.0 (first) is too close to bodies.1 (second)", "the gap is", "set grid.factor to at least"}},
       {"centre_outside", sets({"bodies.1.position=[3, 0]"}), {"bodies.1.position is outside the domain"}},
       {"reaching_outside", sets({"bodies.1.position=[0.9, 0]"}), {"case.toml:19:", "reaches outside the domain"}},
       {"close_to_the_edge", sets({"bodies.0.position=[-0.77, 0]"}), {"is too close to the edge of the domain"}},
-      {"massless_and_traditional", sets({"scheme=traditional", "bodies.0.density=0"}),
+      {"massless_and_traditional",
+       sets({"scheme=traditional", "bodies.0.density=0"}),
        {"scheme = \"traditional\" cannot move bodies.0", "density is 0", "use rigid"}},
       {"unknown_scheme", sets({"scheme=tradtional"}), {"did you mean \"traditional\"?", "(allowed: none, rigid"}},
       {"bodies_without_scheme", sets({"scheme=none"}), {"scheme = \"none\" cannot move bodies"}},
@@ -120,7 +127,8 @@ TEST_F(BadFile, Refused) {
 TEST_F(BadFile, CommandLine) {
   expect_refused(start({}), {"a command is missing: run, check, list"});
   expect_refused(start({"chek", "case.toml"}), {"unknown command \"chek\"", "did you mean \"check\"?"});
-  expect_refused(start({"run", "case.toml", "--untl", "1"}), {"unknown option \"--untl\"", "did you mean \"--until\"?"});
+  expect_refused(start({"run", "case.toml", "--untl", "1"}),
+                 {"unknown option \"--untl\"", "did you mean \"--until\"?"});
   expect_refused(start({"run", "case.toml", "more"}), {"unexpected argument \"more\""});
   expect_refused(start({"run"}), {"case is required"});
   for (const char* time : {"0", "-1", "nan", "inf", "soon"})
@@ -156,7 +164,8 @@ TEST_F(BadFile, EarlierRunIsKeptUnlessOverwritten) {
 std::pair<std::vector<std::string>, std::string> on_two_ranks(const std::string& folder, const Arguments& arguments) {
   // The shell only notes the exit status of a rank.
   const std::string note = "\"$0\" \"$@\"; echo $? > status.$OMPI_COMM_WORLD_RANK";
-  Program program({"mpiexec", "--oversubscribe", "-n", "2", "sh", "-c", note, MORTISE_PROGRAM}, arguments, {.folder = folder});
+  Program program({"mpiexec", "--oversubscribe", "-n", "2", "sh", "-c", note, MORTISE_PROGRAM}, arguments,
+                  {.folder = folder});
   const Outcome outcome = program.wait();
   std::vector<std::string> statuses;
   for (const char* rank : {"0", "1"}) {

@@ -4,7 +4,8 @@
 namespace mortise::testing {
 namespace {
 
-std::string run(const ScratchFolder& folder, const std::string& name, const Arguments& scene, int ranks, const Arguments& more = {}) {
+std::string run(const ScratchFolder& folder, const std::string& name, const Arguments& scene, int ranks,
+                const Arguments& more = {}) {
   const Outcome outcome = run_program(Arguments{"run"} + scene + Arguments{"--output", folder / name} + more, {ranks});
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
   return folder / name;

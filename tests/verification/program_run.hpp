@@ -58,8 +58,8 @@ inline const std::string two_bodies =
 
 /// How to start the program.
 struct Launch {
-  int ranks = 0;                  // 0: without mpiexec
-  std::string folder = ".";       // working directory
+  int ranks = 0;                     // 0: without mpiexec
+  std::string folder = ".";          // working directory
   rlim_t file_size = RLIM_INFINITY;  // bytes: files cannot grow beyond, as on a full disk
 };
 
@@ -71,7 +71,8 @@ struct Outcome {
 /// The program, running. Ended when destroyed.
 class Program {
  public:
-  explicit Program(const Arguments& arguments, const Launch& launch = {}) : Program(starter(launch), arguments, launch) {}
+  explicit Program(const Arguments& arguments, const Launch& launch = {})
+      : Program(starter(launch), arguments, launch) {}
   /// `starter`: the words before the arguments, the program among them.
   Program(Arguments starter, const Arguments& arguments, const Launch& launch) {
     starter.insert(starter.end(), arguments.begin(), arguments.end());
@@ -95,7 +96,8 @@ class Program {
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
     process_ = 0;
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(capture_ / "output"), read_file(capture_ / "errors")};
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(capture_ / "output"),
+            read_file(capture_ / "errors")};
   }
 
  private:
@@ -122,7 +124,9 @@ class Program {
   pid_t process_ = 0;
 };
 
-inline Outcome run_program(const Arguments& arguments, const Launch& launch = {}) { return Program(arguments, launch).wait(); }
+inline Outcome run_program(const Arguments& arguments, const Launch& launch = {}) {
+  return Program(arguments, launch).wait();
+}
 
 inline Arguments operator+(Arguments first, const Arguments& second) {
   first.insert(first.end(), second.begin(), second.end());

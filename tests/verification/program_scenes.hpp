@@ -5,20 +5,30 @@
 
 namespace mortise::testing {
 
-/// Five sticks hit by a shock, whose grids come to overlap each other, on 18 background tiles; probes in front, in the wake and
-/// inside a stick. Writes the case file into the folder and returns the arguments that run it to t = 0.6.
+/// Five sticks hit by a shock, whose grids come to overlap each other, on 18 background tiles; probes in front, in the
+/// wake and inside a stick. Writes the case file into the folder and returns the arguments that run it to t = 0.6.
 inline Arguments sticks(const ScratchFolder& folder) {
   const std::string probes =
       "\n[[probes]]\nname = \"wake\"\nposition = [0.7, 0.0]\n\n[[probes]]\nname = \"inside\"\nposition = [-0.5, 0.0]\n";
   write_file(folder / "sticks.toml", read_file(MORTISE_SOURCE_DIR "/cases/shock_rigid_sticks/case.toml") + probes);
-  return {folder / "sticks.toml", "--quiet", "--frames", "3", "--set", "grid.factor=4", "--set", "grid.tile=[30, 20]",
-          "--set", "time.end=0.6", "--set", "output.checkpoint_interval=0.1"};
+  return {folder / "sticks.toml",
+          "--quiet",
+          "--frames",
+          "3",
+          "--set",
+          "grid.factor=4",
+          "--set",
+          "grid.tile=[30, 20]",
+          "--set",
+          "time.end=0.6",
+          "--set",
+          "output.checkpoint_interval=0.1"};
 }
 
 /// A piston that moves through several tiles, leaving some and entering others.
 inline Arguments piston() {
-  return {"rigid_piston", "--quiet", "--frames", "4", "--set", "grid.factor=8", "--set", "grid.tile=8",
-          "--set", "output.checkpoint_interval=0.1"};
+  return {"rigid_piston",  "--quiet", "--frames",    "4",     "--set",
+          "grid.factor=8", "--set",   "grid.tile=8", "--set", "output.checkpoint_interval=0.1"};
 }
 
 }  // namespace mortise::testing

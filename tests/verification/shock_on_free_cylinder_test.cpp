@@ -1,4 +1,5 @@
-// A Mach-2 shock sets a cylinder of density 1 in motion, h = 0.0125, against an independent computation on an equal grid.
+// A Mach-2 shock sets a cylinder of density 1 in motion, h = 0.0125, against an independent computation on an equal
+// grid.
 #include <gtest/gtest.h>
 
 #include "verification/case_runner.hpp"

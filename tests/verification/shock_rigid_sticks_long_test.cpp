@@ -1,5 +1,6 @@
-// The sticks on three grids, h = 0.025, 0.0125, 0.00625. Differences fall as the grid is refined, at first order, as long as the
-// flow converges: the wakes of stick_2 roll up into vortices that no grid resolves in an inviscid gas, and differ by t = 1.
+// The sticks on three grids, h = 0.025, 0.0125, 0.00625. Differences fall as the grid is refined, at first order, as
+// long as the flow converges: the wakes of stick_2 roll up into vortices that no grid resolves in an inviscid gas, and
+// differ by t = 1.
 #include "verification/shock_rigid_sticks_checks.hpp"
 
 namespace mortise {

@@ -16,9 +16,11 @@ struct WeakShockRun {
 };
 
 inline WeakShockRun run_weak_shock(double grid_factor, double density_ratio) {
-  CaseRun<2> run("weak_shock_on_free_cylinder", {set("grid.factor", grid_factor), set("bodies.0.density", 1.4 * density_ratio)});
+  CaseRun<2> run("weak_shock_on_free_cylinder",
+                 {set("grid.factor", grid_factor), set("bodies.0.density", 1.4 * density_ratio)});
   const auto &behind = run.description.initial.left, &ahead = run.description.initial.right;
-  const double density = ahead[0], sound_speed = std::sqrt(1.4 * ahead[3] / density), radius = run.description.bodies[0].radius;
+  const double density = ahead[0], sound_speed = std::sqrt(1.4 * ahead[3] / density),
+               radius = run.description.bodies[0].radius;
   const double unit = (behind[3] - ahead[3]) / (density * sound_speed);
   const double first_touch = (-radius - run.description.initial.position) / (1.001 * sound_speed);
   WeakShockRun result{};

@@ -27,6 +27,18 @@ TEST(WallTrace, LineAtRestExtrapolatesLinearly) {
   EXPECT_NEAR(left.half.density, 0.95, 1e-14);
 }
 
+TEST(WallTrace, LineExtrapolatesWithTheSlopeOfTheParabolaThroughThreeCells) {
+  TileShape<1> shape({8});
+  TileBlock now(shape.plane, 3);
+  for (int i = 0; i < 8; ++i)
+    put(now, shape.at(i), to_conserved(Primitive<1>{1 + 0.01 * i * i, {0}, 2 - 0.05 * i}, testing::gamma));
+  const MovingLineTile tile{{&shape, now.component(0), nullptr, {0.5}, nullptr}, 0, {}, {}};
+  StepOptions options;
+  options.limiter = Limiter::none;
+  EXPECT_NEAR(wall_trace(tile, false, 0.1, options).now.density, 1, 1e-14);         // slope 0 at i = 0
+  EXPECT_NEAR(wall_trace(tile, true, 0.1, options).now.density, 1.49 + 0.07, 1e-14);  // slope 0.14 at i = 7
+}
+
 TEST(WallTrace, EndsOfAMirroredLineAreMirrorImages) {
   TileShape<1> shape({8});
   TileBlock a(shape.plane, 3), b(shape.plane, 3);

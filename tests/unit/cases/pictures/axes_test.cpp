@@ -26,6 +26,7 @@ TEST(Axes, TicksAreRoundAndEquallyPrecise) {
 TEST(Axes, NoTicksForAnEmptyOrInfiniteRange) {
   EXPECT_TRUE(ticks(1, 1, 5).empty());
   EXPECT_TRUE(ticks(2, 1, 5).empty());
+  EXPECT_TRUE(ticks(1, 1 + 1e-15, 5).empty()) << "multiples of the step would not differ";
   EXPECT_TRUE(ticks(0, std::nan(""), 5).empty());
 }
 
