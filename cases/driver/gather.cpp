@@ -1,5 +1,6 @@
 #include "mortise/cases/driver/gather.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "mortise/fluid/cell.hpp"
@@ -190,9 +191,9 @@ std::array<double, static_cast<std::size_t>(euler_components<Dim>)> totals(const
   for (std::size_t g = 0; g < fluid.grids().size(); ++g) {
     const ComponentGrid<Dim>& grid = fluid.grids()[g];
     const Pose<Dim> pose = grid.background() ? Pose<Dim>{} : simulation.bodies()[static_cast<std::size_t>(grid.body)].pose;
+    const std::size_t base = mine.size();
     for (int t = 0; t < grid.forest.local_count(); ++t)
       mine.push_back({static_cast<std::int64_t>(g), grid.forest.first_global() + t, {}});
-    const std::size_t base = mine.size() - static_cast<std::size_t>(grid.forest.local_count());
     for_each_local_cell<Dim>(grid, [&](int t, const Index<Dim>& c, std::size_t, std::size_t cell) {
       const TileMask& mask = grid.masks[static_cast<std::size_t>(t)];
       if (state_of(mask, cell) == CellState::hole) return;
@@ -203,11 +204,11 @@ std::array<double, static_cast<std::size_t>(euler_components<Dim>)> totals(const
         mine[base + static_cast<std::size_t>(t)].sum[k] += weight * fluid.fields()[g].tile(t).component(static_cast<int>(k))[cell];
     });
   }
-  std::vector<TileSum> all = fluid.grids().front().forest.communicator().gather_all(mine);
-  std::sort(all.begin(), all.end(), [](const TileSum& a, const TileSum& b) { return std::pair(a.grid, a.tile) < std::pair(b.grid, b.tile); });
+  std::map<std::pair<std::int64_t, std::int64_t>, std::array<double, n>> in_order;  // whatever the ranks
+  for (const TileSum& tile : fluid.grids().front().forest.communicator().gather_all(mine)) in_order[{tile.grid, tile.tile}] = tile.sum;
   std::array<double, n> sum{};
-  for (const TileSum& tile : all)
-    for (std::size_t k = 0; k < n; ++k) sum[k] += tile.sum[k];
+  for (const auto& [place, of_tile] : in_order)
+    for (std::size_t k = 0; k < n; ++k) sum[k] += of_tile[k];
   return sum;
 }
 

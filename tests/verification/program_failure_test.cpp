@@ -46,7 +46,7 @@ TEST_F(NumericalFailure, NamesTheFirstBadCell) {
   expect_failed(outcome, 3, "unstable");
   const std::string reason = summary_of(out)["reason"];
   for (const char* part :
-       {"unstable at t = 0.0", "step ", "grid background, cell (", ") at (", "density ", "pressure ", "velocity "})
+       {" at t = 0.0", "step ", "grid background, cell (", ") at (", "density ", "pressure ", "velocity "})
     EXPECT_NE(reason.find(part), std::string::npos) << part << " in: " << reason;
   expect_whole_files();
 }
@@ -84,7 +84,7 @@ TEST_F(NumericalFailure, TraditionalCouplingOfALightBody) {
       run({"--set", "scheme=traditional", "--set", "bodies.0.density=1e-4", "--set", "bodies.1.density=1e-4"}), 3,
       "unstable");
   const std::string reason = summary_of(out)["reason"];
-  for (const char* part : {"the coupling is unstable at t = 0.0", "step ", "body ", " moves at "})
+  for (const char* part : {"unstable", " at t = 0.0", "step ", "body ", " moves at "})
     EXPECT_NE(reason.find(part), std::string::npos) << part << " in: " << reason;
   expect_whole_files();
 }
