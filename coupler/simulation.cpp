@@ -186,10 +186,13 @@ double Simulation<Dim>::extra_rate(const Motion& motion) const {
 template <int Dim>
 std::string Simulation<Dim>::runaway(const Motion& motion) const {
   for (std::size_t b = 0; b < bodies_.size(); ++b)
-    for (int d = 0; d < Dim; ++d)
-      if (!bodies_[b].held[static_cast<std::size_t>(d)] && !setup_.bodies[b].force[static_cast<std::size_t>(d)] && !(std::fabs(motion.end[b][d]) <= runaway_factor * fastest_wave_))
-        return "body " + bodies_[b].name + " moves at " + std::to_string(motion.end[b][d]) + ", more than " +
+    for (int k = 0; k < degrees_of_freedom<Dim>; ++k) {
+      const auto degree = static_cast<std::size_t>(k);
+      const double speed = motion.end[b][k] * (k < Dim ? 1 : bodies_[b].length);  // of the surface, if it turns
+      if (!bodies_[b].held[degree] && !setup_.bodies[b].force[degree] && !(std::fabs(speed) <= runaway_factor * fastest_wave_))
+        return "body " + bodies_[b].name + (k < Dim ? " moves at " : " turns at ") + std::to_string(speed) + ", more than " +
                std::to_string(static_cast<int>(runaway_factor)) + " times the fastest wave of the initial state";
+    }
   return "";
 }
 
@@ -230,7 +233,7 @@ typename Simulation<Dim>::Motion Simulation<Dim>::attempt(double& dt) {
     ++repeats_;
     restless_ += 2;
     if (restless_ > 2 * repeat_limit)
-      throw NumericalError("the coupling is unstable, steps have to be repeated again and again" + (bad.empty() ? "" : ", last for " + bad));
+      throw NumericalError(std::string(bodies_.empty() ? "" : "the coupling is unstable, ") + "steps have to be repeated again and again" + (bad.empty() ? "" : ", last for " + bad));
     if (tries >= 30 || dt < 1e-14 * (std::fabs(time_) + 1)) throw NumericalError(bad);
     dt = too_fast ? dt * std::max(0.5, std::min(0.95, setup_.cfl / fastest)) : 0.5 * dt;
   }

@@ -94,7 +94,7 @@ class EulerSolver {
   bool step(const std::vector<BodyPath<Dim>>& paths, const std::vector<std::vector<double>>& pressure, double dt);
   /// Accepts the last step: bodies at `poses`, time after the step. Cuts, interpolates, fills ghosts.
   void commit(const std::vector<Pose<Dim>>& poses, double time);
-  /// Grid, index, position and state of the first inadmissible cell of the rejected step.
+  /// Grid, index, position and state of the first inadmissible cell of the rejected step; empty if there is none. Collective.
   std::string first_bad_cell(const std::vector<BodyPath<Dim>>& paths) const;
 
   const std::vector<ComponentGrid<Dim>>& grids() const { return grids_; }
@@ -121,6 +121,7 @@ class EulerSolver {
   void interpolate();
   void blank_holes();
   bool quiet(int grid, int tile) const;
+  std::string bad_cell_of_tile(int grid, int tile, const std::vector<BodyPath<Dim>>& paths) const;
   bool uniform(int grid, int tile, const TileBlock& block) const;
   void build_reference_nodes();
   void place(int grid, int tile, const BodyPath<Dim>& path, double dt, double theta);

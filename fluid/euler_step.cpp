@@ -191,28 +191,47 @@ bool EulerSolver<Dim>::quiet(int g, int t) const {
 
 template <int Dim>
 std::string EulerSolver<Dim>::first_bad_cell(const std::vector<BodyPath<Dim>>& paths) const {
-  for (std::size_t g = 0; g < grids_.size(); ++g)
-    for (int t = 0; t < now_[g].tiles(); ++t) {
+  struct Found {
+    std::int64_t grid, tile;  // global
+    std::array<char, 240> text;
+  };
+  std::vector<Found> mine;
+  for (std::size_t g = 0; g < grids_.size() && mine.empty(); ++g)
+    for (int t = 0; t < now_[g].tiles() && mine.empty(); ++t) {
       if (!computed_[g][static_cast<std::size_t>(t)]) continue;
-      std::string found;
-      const TileMask& mask = grids_[g].masks[static_cast<std::size_t>(t)];
-      for_each_cell<Dim>(grids_[g].shape, 0, [&](const Index<Dim>& c) {
-        const std::size_t k = grids_[g].shape.at(c);
-        if (!found.empty() || (mask.cut() && !mask.active[k])) return;
-        const Primitive<Dim> W = to_primitive(get<Dim>(next_[g].tile(t), k), setup_.gas.gamma);
-        if (W.density > 0 && W.pressure > 0 && std::isfinite(W.density) && std::isfinite(W.pressure)) return;
-        const Pose<Dim> pose = grids_[g].background() ? Pose<Dim>{} : paths[static_cast<std::size_t>(grids_[g].body)].end;
-        std::ostringstream text;
-        text << "grid " << grids_[g].name << ", cell (" << grids_[g].first_cell(t)[0] + c[0];
-        if constexpr (Dim == 2) text << ", " << grids_[g].first_cell(t)[1] + c[1];
-        text << ") at (" << cell_center(static_cast<int>(g), t, c, pose).transpose() << "): density " << W.density << ", pressure "
-             << W.pressure - setup_.gas.p_inf << ", velocity";
-        for (const double u : W.velocity) text << ' ' << u;
-        found = text.str();
-      });
-      if (!found.empty()) return found;
+      const std::string text = bad_cell_of_tile(static_cast<int>(g), t, paths);
+      if (text.empty()) continue;
+      mine.push_back({static_cast<std::int64_t>(g), grids_[g].forest.first_global() + t, {}});
+      text.copy(mine.back().text.data(), mine.back().text.size() - 1);
     }
-  return "";
+  const std::vector<Found> all = comm_.gather_all(mine);
+  const auto first = std::min_element(all.begin(), all.end(), [](const Found& a, const Found& b) {
+    return std::pair(a.grid, a.tile) < std::pair(b.grid, b.tile);
+  });
+  return first == all.end() ? "" : std::string(first->text.data());
+}
+
+template <int Dim>
+std::string EulerSolver<Dim>::bad_cell_of_tile(int g, int t, const std::vector<BodyPath<Dim>>& paths) const {
+  const auto of_grid = static_cast<std::size_t>(g);
+  const ComponentGrid<Dim>& grid = grids_[of_grid];
+  const TileMask& mask = grid.masks[static_cast<std::size_t>(t)];
+  std::string found;
+  for_each_cell<Dim>(grid.shape, 0, [&](const Index<Dim>& c) {
+    const std::size_t k = grid.shape.at(c);
+    if (!found.empty() || (mask.cut() && !mask.active[k])) return;
+    const Primitive<Dim> W = to_primitive(get<Dim>(next_[of_grid].tile(t), k), setup_.gas.gamma);
+    if (W.density > 0 && W.pressure > 0 && std::isfinite(W.density) && std::isfinite(W.pressure)) return;
+    const Pose<Dim> pose = grid.background() ? Pose<Dim>{} : paths[static_cast<std::size_t>(grid.body)].end;
+    std::ostringstream text;
+    text << "grid " << grid.name << ", cell (" << grid.first_cell(t)[0] + c[0];
+    if constexpr (Dim == 2) text << ", " << grid.first_cell(t)[1] + c[1];
+    text << ") at (" << cell_center(g, t, c, pose).transpose() << "): density " << W.density << ", pressure " << W.pressure - setup_.gas.p_inf
+         << ", velocity";
+    for (const double u : W.velocity) text << ' ' << u;
+    found = text.str();
+  });
+  return found;
 }
 
 template class EulerSolver<1>;

@@ -48,7 +48,7 @@ GridQuality check(const GrownGrid& grid);
 /// Where a point is on a grid, relative to the 3 × 3 cell centres its coordinates were found on.
 struct StencilPoint {
   Index<2> center{};                   // middle cell (i, j): 0 ≤ i < along, 1 ≤ j ≤ layers − 2
-  Point<2> offset = Point<2>::Zero();  // in cells, from the middle: |offset[0]| ≲ ½, |offset[1]| ≲ 1½
+  Point<2> offset = Point<2>::Zero();  // in cells, from the middle: |offset[0]| ≤ 1, about ½ where cells are not askew
 };
 
 /// Distance and location tables of one grown grid. Immutable; may be asked from several threads.
@@ -98,6 +98,7 @@ class BodyAtlas {
   void fill_nearest_cells();
   double distance_bound(const Point<2>& X) const;
   int nearest_cell(const Point<2>& X) const;  // −1: none near
+  bool solve(const Point<2>& X, StencilPoint& where) const;
   Index<2> nearest_center(const Point<2>& X, Index<2> cell) const;
   Point<2> logical(const StencilPoint& where) const;
 

@@ -17,6 +17,8 @@ constexpr double slack = 0.1;        // cells beyond the grid that still count a
 constexpr double clamp_inside = 3;   // spacings inside the body that locate_clamped() accepts
 constexpr double farthest = 2.5;     // cells: larger offsets are cut
 constexpr int most_iterations = 30;
+constexpr double early_move = 0.75;  // cells: beyond this offset the next cell's stencil is asked
+constexpr int most_moves = 4;
 
 /// Quadratic through three equally spaced values: q[0] + q[1] t + q[2] t², t = −1, 0, 1.
 using Quadratic = std::array<Point<2>, 3>;
@@ -92,6 +94,19 @@ bool BodyAtlas::locate(const Point<2>& X, StencilPoint& where) const {
   const Index<2> nearest = nearest_center(X, {close % grid_.along, close / grid_.along});
   where.center = {nearest[0], std::clamp(nearest[1], 1, grid_.layers - 2)};
   where.offset = {0, nearest[1] - where.center[1]};
+  for (int moves = 0; moves < most_moves; ++moves) {
+    if (!solve(X, where)) return false;
+    if (std::abs(where.offset[0]) <= early_move) break;
+    const int shift = where.offset[0] > 0 ? 1 : -1;  // cells askew: the nearest centre is not that of the cell X is in
+    where.center[0] = wrapped(where.center[0] + shift, grid_.along);
+    where.offset[0] -= shift;
+  }
+  const double eta = where.center[1] + where.offset[1];
+  return std::abs(where.offset[0]) <= 1 && eta >= -0.5 - slack && eta <= grid_.layers - 0.5 + slack;
+}
+
+/// Newton's method on the stencil where.center, from where.offset on.
+bool BodyAtlas::solve(const Point<2>& X, StencilPoint& where) const {
   const Biquadratic map(*this, where.center);
   const Point<2> target = X - center(where.center[0], where.center[1]);
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
@@ -99,9 +114,7 @@ bool BodyAtlas::locate(const Point<2>& X, StencilPoint& where) const {
     where.offset += step;
     if (!where.offset.allFinite()) return false;
     where.offset = where.offset.cwiseMax(-farthest).cwiseMin(farthest);
-    if (step.squaredNorm() >= converged * converged) continue;
-    const double eta = where.center[1] + where.offset[1];
-    return std::abs(where.offset[0]) <= 1 && eta >= -0.5 - slack && eta <= grid_.layers - 0.5 + slack;
+    if (step.squaredNorm() < converged * converged) return true;
   }
   return false;
 }
