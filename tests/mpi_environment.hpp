@@ -31,11 +31,14 @@ inline void initialize_mpi(int* argc, char*** argv) {
       {"OMPI_MCA_pml", "ob1"},
       {"OMPI_MCA_btl", "self,vader"},
       {"OMPI_MCA_btl_vader_single_copy_mechanism", "none"},
-      {"OMPI_MCA_ess_singleton_isolated", "1"},
       {"OMPI_MCA_mpi_yield_when_idle", "1"},
       {"OMPI_MCA_rmaps_base_oversubscribe", "1"}};
   for (const auto& [name, value] : settings) setenv(name, value, 0);
   const std::set<std::string> before = environment_names();
+  if (!std::getenv("OMPI_COMM_WORLD_SIZE")) {  // alone: no daemon, nor folders that processes starting together trip over
+    setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+    setenv("OMPI_MCA_orte_create_session_dirs", "false", 0);
+  }
   MPI_Init(argc, argv);
   for (const std::string& name : environment_names())
     if (before.count(name) == 0) unsetenv(name.c_str());
