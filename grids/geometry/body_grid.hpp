@@ -48,7 +48,7 @@ GridQuality check(const GrownGrid& grid);
 /// Where a point is on a grid, relative to the 3 × 3 cell centres its coordinates were found on.
 struct StencilPoint {
   Index<2> center{};                   // middle cell (i, j): 0 ≤ i < along, 1 ≤ j ≤ layers − 2
-  Point<2> offset = Point<2>::Zero();  // in cells, from the middle: |offset[0]| ≤ 1, about ½ where cells are not askew
+  Point<2> offset = Point<2>::Zero();  // in cells, from the middle: |offset[0]| ≤ ¾, about ½ where cells are not askew
 };
 
 /// Distance and location tables of one grown grid. Immutable; may be asked from several threads.
