@@ -15,12 +15,12 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "mortise/coupler/body_vector.hpp"
+#include "mortise/coupler/wall_law.hpp"
 
 namespace mortise {
 
@@ -34,13 +34,6 @@ struct WallFace {
   double density0 = 0, normal_velocity0 = 0, pressure0 = 0;              // at t
   double density_half = 0, normal_velocity_half = 0, pressure_half = 0;  // at t + Δt/2
 };
-
-/// Pressure P on a wall and its slope P' = dP/dd ≥ 0.
-struct WallPressure {
-  double pressure = 0, impedance = 0;
-};
-/// (ρ, p̃, d) → (P, P'); P increases with d, the velocity of the wall into the fluid relative to the fluid.
-using WallLaw = std::function<WallPressure(double density, double pressure, double velocity_difference)>;
 
 /// g of the method: the stages are at t + g Δt and t + Δt.
 inline constexpr double sdirk2_gamma = 0.29289321881345247560;

@@ -19,6 +19,10 @@ struct FittedBody {
   std::string name;
   OverlapBody<Dim> shape;
   bool wall = true;  // slip wall; otherwise exact data on the inner edge
+  // 2D, in place of shape.atlas: the grid of a scene without background and overlap, whose other sides are boundaries.
+  std::shared_ptr<const GrownGrid> mesh;
+  std::array<BoundaryKind, 4> sides{BoundaryKind::periodic, BoundaryKind::periodic, BoundaryKind::wall,
+                                    BoundaryKind::wall};  // of `mesh`: west, east, south (the wall), north
 };
 
 template <int Dim>
@@ -27,17 +31,21 @@ struct EulerSetup {
   StepOptions options;
   Boundaries<Dim> boundaries;
   Box<Dim> domain;
-  Index<Dim> cells{};       // of the background
+  Index<Dim> cells{};       // of the background; 0: there is none (and no overlap)
   Index<Dim> tile{};        // cells of a background tile; divides `cells`
   OverlapOptions overlap;
   bool skip = true;         // leave out quiet and hole tiles
   std::vector<FittedBody<Dim>> bodies;
 };
 
-/// Where a body is during a step: poses at its ends, and the velocity (v, ω) of the motion between them.
+/// Where a body is during a step: poses at its ends.
 template <int Dim>
 struct BodyPath {
   Pose<Dim> start, end;
+  // Deforming grids (2D; poses are the identity): nodes at the end, those at the start are the solver's own; nodes move on
+  // straight lines. nullptr: rigid. `atlas`: of the same grid, for the overlap; nullptr in scenes without.
+  std::shared_ptr<const GrownGrid> end_mesh = nullptr;
+  std::shared_ptr<const Atlas<Dim>> end_atlas = nullptr;
 };
 
 /// Fluid at one wall face of a body.

@@ -14,21 +14,26 @@ namespace mortise {
 
 /// How far and how finely to grow a grid from an outline.
 struct GrowthOptions {
-  double spacing;  // target cell size h, along and across
-  int layers;      // number of cell layers outward, at least 3
+  double spacing;       // target cell size h, along and across
+  int layers;           // number of cell layers, at least 3
+  bool inward = false;  // into the outline instead of away from it
 };
 
-/// Nodes of a grid grown outward from a closed outline. Node (i, j), 0 ≤ i < along (periodic in i), 0 ≤ j ≤ layers;
-/// j = 0 lies on the outline, equally spaced in arc length, node (0, 0) at Outline::at(0); i runs *clockwise* around
-/// the body, so that cells are right-handed: (x_{i+1} − x_i) × (x_{j+1} − x_j) > 0 for every cell.
+/// Nodes of a structured grid that begins at a curve, its layer 0. Node (i, j), 0 ≤ j ≤ layers; cells are right-handed:
+/// (x_{i+1} − x_i) × (x_{j+1} − x_j) > 0 for every cell, so the grid lies on the left of layer 0 (a grid grown outward
+/// from a closed outline runs clockwise around it, one grown inward counter-clockwise).
 struct GrownGrid {
   int along = 0, layers = 0;
   double spacing = 0;
-  std::vector<Point<2>> nodes;  // (layers + 1) × along, index j * along + i
+  std::vector<Point<2>> nodes;  // (layers + 1) × row(), index j * row() + i
+  bool periodic = true;         // node (i + along, j) is node (i, j) + period; otherwise rows have along + 1 nodes
+  Point<2> period = Point<2>::Zero();  // zero: a closed curve
+  double smoothing = 0;         // α of the growth; 0: not grown
 
-  const Point<2>& node(int i, int j) const {
-    return nodes[static_cast<std::size_t>(j * along + (i % along + along) % along)];
-  }
+  int row() const { return periodic ? along : along + 1; }
+  /// Any i and j: beyond the first and last row or, where the grid is not periodic, column the grid is continued
+  /// linearly.
+  Point<2> node(int i, int j) const;
 };
 
 /// Marches outward hyperbolically. `along` is the multiple of 4 nearest to perimeter/spacing, at least 16, so that a
@@ -36,6 +41,19 @@ struct GrownGrid {
 /// Throws InputError for a spacing that is not positive, for fewer than 3 layers, and when the grid would fold
 /// whatever the smoothing.
 GrownGrid grow(const Outline& outline, const GrowthOptions& options);
+
+/// The same from given nodes of layer 0 (0 ≤ i < along), which are kept: for a curve that has moved. `smoothing` is that
+/// of the grid it replaces (GrownGrid::smoothing), so that grids change smoothly in time. Throws NumericalError naming
+/// the first folded cell.
+GrownGrid grow_from(const std::vector<Point<2>>& curve, const GrowthOptions& options, double smoothing);
+
+/// The grid between two curves with equally many nodes (row() each), linear from one to the other: what small motions of
+/// `near` need. Throws NumericalError naming the first folded cell.
+GrownGrid stretch_between(const std::vector<Point<2>>& near, const std::vector<Point<2>>& far, int layers, double spacing, bool periodic,
+                          const Point<2>& period = Point<2>::Zero());
+
+/// First cell with a corner whose triangle has no positive area, as (i, j); {−1, −1}: none.
+Index<2> first_folded_cell(const GrownGrid& grid);
 
 /// Measures of a grid's worst cells.
 struct GridQuality {
@@ -55,6 +73,10 @@ struct StencilPoint {
 class BodyAtlas {
  public:
   BodyAtlas(const Outline& outline, GrownGrid grid);
+  /// From the grid alone, fast: for a grid that has been grown anew around a curve that moved. Distances are those along
+  /// the grid's lines, η + ½ layers times spacing (not grid points' exact distances, but continuous, zero on layer 0 and
+  /// growing outward); tables cover the grid and a few cells inside the body. `inward`: the body is outside the curve.
+  explicit BodyAtlas(GrownGrid grid, bool inward = false);
 
   const GrownGrid& grid() const { return grid_; }
   double width() const { return width_; }         // smallest distance of the outermost node layer from the outline

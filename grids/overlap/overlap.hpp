@@ -75,6 +75,10 @@ class Overlap {
   /// touched. Returns false, having done nothing, when there are none. Collective.
   bool update(const std::vector<Pose<Dim>>& poses, bool fresh);
 
+  /// The body's grid has a new shape (deforming bodies; their poses stay the identity): counts as moved at the next
+  /// update().
+  void reshape(std::size_t body, std::shared_ptr<const Atlas<Dim>> atlas);
+
   /// Interpolates into fringe and exposed cells. `fields` holds one field per component grid, ghosts of the
   /// donor tiles filled from neighbouring tiles. `decode(U, W)` turns the components of one cell into the variables to interpolate, `encode(W, U)` back. Collective.
   template <int Components, class Decode, class Encode>
