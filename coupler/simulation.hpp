@@ -13,12 +13,15 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "mortise/coupler/body_schemes.hpp"
 #include "mortise/coupler/contact_step.hpp"
+#include "mortise/coupler/deforming.hpp"
 #include "mortise/fluid/euler_solver.hpp"
+#include "mortise/solid/elastic_solver.hpp"
 #include "mortise/solid/rigid_body.hpp"
 
 namespace mortise {
@@ -34,10 +37,25 @@ struct BodySetup {
   std::shared_ptr<const Outline> outline;                    // 2D: for contact
 };
 
+/// An elastic solid, in a gas or alone.
+struct SolidSetup {
+  ElasticSetup elastic;
+  ElasticFunction initial;                  // at t = 0
+  std::optional<InterfaceSetup> interface;  // of the fitted grid's south side; without: the solid is alone
+};
+
+/// Any other structure, coupled in the same way.
+struct StructureSetup {
+  std::function<std::unique_ptr<Structure>(const Communicator&)> make;
+  InterfaceSetup interface;
+};
+
 template <int Dim>
 struct SimulationSetup {
   EulerSetup<Dim> fluid;
-  std::vector<BodySetup<Dim>> bodies;    // in the order of fluid.bodies
+  std::vector<BodySetup<Dim>> bodies;    // rigid: the first entries of fluid.bodies, in their order
+  std::vector<SolidSetup> solids;        // Dim = 2; their interfaces are the next entries of fluid.bodies
+  std::vector<StructureSetup> structures;  // Dim = 2; and theirs the last
   StateFunction<Dim> initial;            // (ρ, u, p̃) at t = 0
   std::string scheme = "rigid";          // key of body_schemes()
   Point<Dim> gravity = Point<Dim>::Zero();
@@ -75,6 +93,11 @@ class Simulation {
   const std::vector<RigidBody<Dim>>& bodies() const { return bodies_; }
   const std::vector<BodyLoad<Dim>>& loads() const { return loads_; }
   std::vector<Pose<Dim>> poses() const;
+  const std::vector<std::unique_ptr<ElasticSolver>>& solids() const { return solids_; }
+  /// Of the solids and structures with an interface, in the order of fluid.bodies.
+  std::vector<InterfaceState> interfaces() const;
+  /// Smallest J seen in any solid since the start (1: none, or linear elasticity only).
+  double least_j() const { return least_j_; }
   EulerSolver<Dim>& fluid() { return fluid_; }
   const EulerSolver<Dim>& fluid() const { return fluid_; }
   const SimulationSetup<Dim>& setup() const { return setup_; }
@@ -118,6 +141,8 @@ class Simulation {
   std::vector<Pose<Dim>> initial_poses_;
   std::vector<BodyVector<Dim>> mean_velocity_;  // of the last step: the velocity the grids had
   std::vector<BodyLoad<Dim>> loads_;
+  std::vector<std::unique_ptr<ElasticSolver>> solids_;
+  double least_j_ = 1;
   const BodyScheme<Dim>* scheme_;
   double time_ = 0, last_step_ = 0;
   double fastest_wave_ = 0;  // |u| + c of the initial state, at most
