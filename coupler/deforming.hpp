@@ -43,4 +43,84 @@ struct InterfaceState {
   double half_time = 0;                          // node velocities and pressure are those of this time
 };
 
+/// One interface between a structure and the fluid grid around it, from step to step. Holds no fluid and no solid state.
+class DeformingInterface {
+ public:
+  /// One attempted step.
+  struct Step {
+    InterfaceSolution solution;          // means over the step
+    std::vector<Point<2>> displacement;  // of the interface's nodes at t + Δt
+    std::vector<Point<2>> node_velocity;
+    std::shared_ptr<const GrownGrid> mesh;  // of the fluid at t + Δt
+    Point<2> force = Point<2>::Zero();
+    int substeps = 1;
+    bool admissible = true;  // of the substeps already taken
+  };
+
+  /// `grid`: the fluid's at t = 0, before any displacement. The structure is not owned. Throws InputError when the nodes
+  /// of the two sides do not lie on one curve.
+  DeformingInterface(InterfaceSetup setup, Structure& structure, const FittedBody<2>& grid);
+
+  /// Where the fluid's grid is now: for EulerSolver::initialize() and resume().
+  BodyPath<2> present() const;
+  /// As if it moved on as in the last step.
+  BodyPath<2> predicted(double dt) const;
+  /// The velocity at t = 0 from data of both sides at rest in time.
+  void start(std::span<const WallTrace<2>> fluid, const WallLaw& law);
+
+  /// The scheme's answer for a step; substeps > 1: the structure has already taken them.
+  Step solve(std::span<const WallTrace<2>> fluid, const WallLaw& law, double time, double dt, int substeps);
+  /// Advances the structure (substeps: nothing is left to do). False: not admissible.
+  bool advance(const Step& step, double dt);
+  /// Undoes what solve() did to the structure.
+  void reject(const Step& step);
+  void accept(const Step& step, double time, double dt);
+  BodyPath<2> path(const Step& step) const;
+
+  /// Largest change of a node's velocity from the last step to this one (sum norm), and the fastest node.
+  double change_of_velocity(const Step& step) const;
+  static double fastest_node(const Step& step);
+
+  const InterfaceSetup& setup() const { return setup_; }
+  Structure& structure() const { return structure_; }
+  InterfaceState state() const;
+  /// All that a restart needs; the length depends on the scene only.
+  std::vector<double> motion_state() const;
+  const double* resume(const double* state);
+
+ private:
+  struct Stencil {  // of a fluid node on the interface's nodes
+    std::array<std::size_t, 4> node{};
+    std::array<double, 4> weight{};
+  };
+
+  std::vector<Point<2>> fluid_curve(const std::vector<Point<2>>& displacement) const;
+  std::shared_ptr<const GrownGrid> follow(const std::vector<Point<2>>& displacement) const;
+  std::vector<Point<2>> predicted_areas(double from_now) const;
+  InterfaceSolution ask(std::span<const FluidTrace> fluid, const WallLaw& law, double from_now, double dt, InterfaceProblem& problem);
+  void push_history(const InterfaceSolution& solution);
+
+  InterfaceSetup setup_;
+  Structure& structure_;
+  const InterfaceScheme* scheme_;
+  bool overlaps_;
+  std::vector<Point<2>> reference_, fluid_reference_;  // nodes of the structure's faces, of the fluid's
+  std::vector<double> lengths_;                        // of the structure's faces
+  std::vector<Stencil> stencils_;                      // per fluid node
+  GrowthOptions growth_{};
+  double smoothing_ = 0;
+  Point<2> period_ = Point<2>::Zero();  // of the fluid's nodes
+  std::unique_ptr<Transfer> transfer_;
+  std::vector<StructureTrace> traces_;
+  std::vector<Point<2>> areas_;
+
+  std::vector<Point<2>> displacement_, previous_displacement_, velocity_;  // of the interface's nodes
+  double last_step_ = 0, half_time_ = 0;
+  std::shared_ptr<const GrownGrid> mesh_, previous_mesh_;
+  std::shared_ptr<const BodyAtlas> atlas_;
+  InterfaceHistory history_;
+  std::vector<double> pressure_;
+  Point<2> force_ = Point<2>::Zero();
+};
+
 }  // namespace mortise

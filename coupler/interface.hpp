@@ -73,6 +73,10 @@ class Structure {
   virtual bool step(std::span<const Point<2>> traction, std::span<const Point<2>> velocity, double dt) = 0;
   virtual void commit(double time) = 0;
   virtual std::string first_bad_cell() const = 0;
+  /// Remembers the present state, and goes back to it: what several steps within one of the fluid's need.
+  virtual bool can_return() const { return false; }
+  virtual void remember() {}
+  virtual void go_back() {}
 };
 
 }  // namespace mortise
