@@ -115,9 +115,8 @@ std::vector<Point<2>> DeformingInterface::predicted_areas(double from_now) const
   return areas;
 }
 
-/// The scheme's answer from the structure's data half of dt from its present, the fluid's given.
-InterfaceSolution DeformingInterface::ask(std::span<const FluidTrace> fluid, const WallLaw& law, double from_now, double dt, InterfaceProblem& problem) {
-  traces_ = structure_.traces(dt);
+/// The scheme's answer to the fluid's data and the structure's (traces_), a time from now.
+InterfaceSolution DeformingInterface::ask(std::span<const FluidTrace> fluid, const WallLaw& law, double from_now, InterfaceProblem& problem) {
   areas_ = predicted_areas(from_now);
   problem = {traces_, fluid, areas_, lengths_, transfer_.get(), &law};
   return (*scheme_)(problem, history_, setup_.options);
@@ -127,32 +126,23 @@ void DeformingInterface::start(std::span<const WallTrace<2>> fluid, const WallLa
   std::vector<FluidTrace> now;
   for (const WallTrace<2>& trace : fluid) now.push_back(fluid_trace(trace.now));
   InterfaceProblem problem;
-  const InterfaceSolution solution = ask(now, law, 0, 0, problem);
+  traces_ = structure_.traces(0, 0);
+  const InterfaceSolution solution = ask(now, law, 0, problem);
   velocity_ = node_velocities(solution.wall_velocity, structure_.periodic());
   pressure_ = solution.pressure;
 }
 
-DeformingInterface::Step DeformingInterface::solve(std::span<const WallTrace<2>> fluid, const WallLaw& law, double time, double dt, int substeps) {
+DeformingInterface::Step DeformingInterface::solve(std::span<const WallTrace<2>> fluid, const WallLaw& law, double time, double dt, const Pace& pace) {
   Step step;
-  step.substeps = substeps;
-  std::vector<FluidTrace> data(fluid.size());
+  step.pace = pace;
   InterfaceProblem problem;
-  if (substeps > 1) structure_.remember();
-  for (int k = 0; k < substeps && step.admissible; ++k) {
-    const double theta = (k + 0.5) / substeps, share = 1.0 / substeps;
-    for (std::size_t i = 0; i < data.size(); ++i) data[i] = substeps == 1 ? fluid_trace(fluid[i].half) : fluid_trace(fluid[i], theta);
-    InterfaceSolution part = ask(data, law, theta * dt, dt * share, problem);
-    if (substeps == 1) {
-      step.solution = std::move(part);
-      break;
-    }
-    step.admissible = structure_.step(part.traction, part.velocity, dt * share);
-    if (step.admissible) structure_.commit(time + (k + 1) * share * dt);
-    step.solution.pressure.resize(part.pressure.size(), 0.0);
-    for (std::size_t i = 0; i < part.pressure.size(); ++i) step.solution.pressure[i] += share * part.pressure[i];
-    add(step.solution.traction, part.traction, share);
-    add(step.solution.velocity, part.velocity, share);
-    add(step.solution.wall_velocity, part.wall_velocity, share);
+  if (pace.substeps > 1) {
+    take_substeps(step, fluid, law, time, dt, problem);
+  } else {
+    std::vector<FluidTrace> data;
+    for (const WallTrace<2>& trace : fluid) data.push_back(fluid_trace(trace.half));
+    traces_ = structure_.traces(pace.size, pace.size == dt ? 0.5 : (pace.begun + 0.5 * dt) / pace.size);
+    step.solution = ask(data, law, 0.5 * dt, problem);
   }
   step.node_velocity = node_velocities(step.solution.wall_velocity, structure_.periodic());
   step.displacement = moved(displacement_, step.node_velocity, dt);
@@ -163,17 +153,44 @@ DeformingInterface::Step DeformingInterface::solve(std::span<const WallTrace<2>>
   areas_ = wall_areas(*mesh_, *step.mesh);
   problem.area = areas_;
   for (std::size_t i = 0; i < areas_.size(); ++i) step.force -= (step.solution.pressure[i] - setup_.options.reference_pressure) * areas_[i];
-  if (substeps == 1) step.solution.traction = tractions(problem, step.solution.pressure, setup_.options);
+  if (pace.substeps == 1) step.solution.traction = tractions(problem, step.solution.pressure, setup_.options);
   return step;
 }
 
+/// The structure's steps within the fluid's, and the means over them.
+void DeformingInterface::take_substeps(Step& step, std::span<const WallTrace<2>> fluid, const WallLaw& law, double time, double dt,
+                                       InterfaceProblem& problem) {
+  const int substeps = step.pace.substeps;
+  const double share = 1.0 / substeps;
+  std::vector<FluidTrace> data(fluid.size());
+  structure_.remember();
+  for (int k = 0; k < substeps && step.admissible; ++k) {
+    const double theta = (k + 0.5) * share;
+    for (std::size_t i = 0; i < data.size(); ++i) data[i] = fluid_trace(fluid[i], theta);
+    traces_ = structure_.traces(dt * share, 0.5);
+    const InterfaceSolution part = ask(data, law, theta * dt, problem);
+    step.admissible = structure_.step(part.traction, part.velocity, dt * share);
+    if (step.admissible) structure_.commit(time + (k + 1) * share * dt);
+    step.solution.pressure.resize(part.pressure.size(), 0.0);
+    for (std::size_t i = 0; i < part.pressure.size(); ++i) step.solution.pressure[i] += share * part.pressure[i];
+    add(step.solution.traction, part.traction, share);
+    add(step.solution.velocity, part.velocity, share);
+    add(step.solution.wall_velocity, part.wall_velocity, share);
+  }
+}
+
 bool DeformingInterface::advance(const Step& step, double dt) {
-  if (step.substeps > 1) return step.admissible;
-  return structure_.step(step.solution.traction, step.solution.velocity, dt);
+  if (step.pace.substeps > 1) return step.admissible;
+  if (!step.pace.finishes) return true;
+  if (impulse_.empty()) return structure_.step(step.solution.traction, step.solution.velocity, dt);
+  std::vector<Point<2>> traction = moved(impulse_, step.solution.traction, dt), velocity = moved(advance_, step.solution.velocity, dt);
+  for (std::vector<Point<2>>* mean : {&traction, &velocity})
+    for (Point<2>& value : *mean) value /= step.pace.size;
+  return structure_.step(traction, velocity, step.pace.size);
 }
 
 void DeformingInterface::reject(const Step& step) {
-  if (step.substeps > 1) structure_.go_back();
+  if (step.pace.substeps > 1) structure_.go_back();
 }
 
 void DeformingInterface::push_history(const InterfaceSolution& solution) {
@@ -185,7 +202,14 @@ void DeformingInterface::push_history(const InterfaceSolution& solution) {
 }
 
 void DeformingInterface::accept(const Step& step, double time, double dt) {
-  if (step.substeps == 1) structure_.commit(time);
+  if (step.pace.substeps == 1 && step.pace.finishes) {
+    structure_.commit(time);
+    impulse_.clear();
+    advance_.clear();
+  } else if (step.pace.substeps == 1) {
+    add(impulse_, step.solution.traction, dt);
+    add(advance_, step.solution.velocity, dt);
+  }
   push_history(step.solution);
   previous_displacement_ = displacement_;
   displacement_ = step.displacement;
@@ -218,9 +242,12 @@ InterfaceState DeformingInterface::state() const {
 }
 
 std::vector<double> DeformingInterface::motion_state() const {
-  std::vector<double> state = {last_step_, half_time_, previous_mesh_ ? 1.0 : 0.0, static_cast<double>(history_.pressure.size()), force_[0], force_[1]};
+  std::vector<double> state = {last_step_, half_time_, previous_mesh_ ? 1.0 : 0.0, static_cast<double>(history_.pressure.size()), impulse_.empty() ? 0.0 : 1.0,
+                               force_[0], force_[1]};
   for (const std::vector<Point<2>>* points : {&displacement_, &previous_displacement_, &velocity_}) put(state, *points);
   state.insert(state.end(), pressure_.begin(), pressure_.end());
+  for (const std::vector<Point<2>>* points : {&impulse_, &advance_})
+    put(state, points->empty() ? std::vector<Point<2>>(lengths_.size(), Point<2>::Zero()) : *points);
   for (std::size_t k = 0; k < 2; ++k) {  // of fixed length, whatever has been remembered so far
     const bool there = k < history_.pressure.size();
     put(state, there ? history_.wall_velocity[k] : std::vector<Point<2>>(lengths_.size(), Point<2>::Zero()));
@@ -235,10 +262,16 @@ const double* DeformingInterface::resume(const double* next) {
   half_time_ = *next++;
   const bool moved_before = *next++ != 0;
   const auto remembered = static_cast<std::size_t>(*next++);
+  const bool waits = *next++ != 0;
   force_ = Point<2>(next[0], next[1]);
   next += 2;
   for (std::vector<Point<2>>* points : {&displacement_, &previous_displacement_, &velocity_}) next = take(next, *points);
   for (double& p : pressure_) p = *next++;
+  for (std::vector<Point<2>>* points : {&impulse_, &advance_}) {
+    points->resize(lengths_.size());
+    next = take(next, *points);
+    if (!waits) points->clear();
+  }
   history_ = {};
   for (std::size_t k = 0; k < 2; ++k) {
     std::vector<Point<2>> velocity(lengths_.size());

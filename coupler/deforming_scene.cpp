@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "mortise/grids/core/error.hpp"
 
@@ -11,6 +12,8 @@ namespace {
 
 // A structure takes substeps when it would slow the fluid down by more than this factor.
 constexpr double substep_gain = 1.25;
+
+constexpr double never = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -58,6 +61,28 @@ int DeformingScene::substeps_of(const Member& member, double dt, double cfl) con
   return std::max(1, static_cast<int>(std::ceil(dt * member.structure->rate() / cfl * (1 - 1e-9))));
 }
 
+/// The structures wait over as many whole steps of the fluid as their own rate allows, if that is two at least.
+DeformingScene::Stride DeformingScene::stride(double time, double limit, double fluid_rate, double cfl) const {
+  if (stride_ > 0) return {stride_, end_};
+  double fastest = 0;
+  for (const ElasticSolver* solid : alone_) fastest = std::max(fastest, solid->rate());
+  for (const Member& member : interfaces_) {
+    if (!member.interface->setup().substeps) return {never, never};
+    fastest = std::max(fastest, member.structure->rate());
+  }
+  const double steps = fastest > 0 ? std::floor(fluid_rate / fastest) : 0;
+  if (interfaces_.empty() || steps < 2) return {never, never};
+  const double size = steps * cfl / fluid_rate, left = limit - time;
+  if (size >= left * (1 - 1e-12)) return {left, limit};
+  const double chosen = 2 * size > left ? 0.5 * left : size;
+  return {chosen, time + chosen};
+}
+
+DeformingInterface::Pace DeformingScene::pace_of(const Member& member, double time, double dt, const Stride& stride, double cfl) const {
+  if (stride.size == never) return {substeps_of(member, dt, cfl), dt, 0, true};
+  return {1, stride.size, stride_ > 0 ? time - begun_ : 0.0, dt == stride.end - time};
+}
+
 std::vector<BodyPath<2>> DeformingScene::present() const {
   std::vector<BodyPath<2>> paths;
   for (const Member& member : interfaces_) paths.push_back(member.interface->present());
@@ -70,13 +95,11 @@ std::vector<BodyPath<2>> DeformingScene::predicted(double dt) const {
   return paths;
 }
 
-DeformingScene::Steps DeformingScene::solve(Traces traces, const WallLaw& law, double time, double dt, double cfl) {
+DeformingScene::Steps DeformingScene::solve(Traces traces, const WallLaw& law, double time, double dt, const Stride& stride, double cfl) {
   const auto scope = timers_("coupling");
   Steps steps;
-  for (std::size_t k = 0; k < interfaces_.size(); ++k) {
-    const Member& member = interfaces_[k];
-    steps.push_back(member.interface->solve(traces[k], law, time, dt, substeps_of(member, dt, cfl)));
-  }
+  for (std::size_t k = 0; k < interfaces_.size(); ++k)
+    steps.push_back(interfaces_[k].interface->solve(traces[k], law, time, dt, pace_of(interfaces_[k], time, dt, stride, cfl)));
   return steps;
 }
 
@@ -86,14 +109,17 @@ std::vector<BodyPath<2>> DeformingScene::paths(const Steps& steps) const {
   return paths;
 }
 
-bool DeformingScene::advance(const Steps& steps, double dt) {
+bool DeformingScene::advance(const Steps& steps, double time, double dt, const Stride& stride) {
   const auto scope = timers_("solid");
-  bool admissible = true;
-  for (ElasticSolver* solid : alone_) admissible = solid->step({}, {}, dt) && admissible;
-  for (std::size_t k = 0; k < interfaces_.size(); ++k) admissible = interfaces_[k].interface->advance(steps[k], dt) && admissible;
   computed_ = skipped_ = 0;
+  const bool waits = stride.size != never && dt != stride.end - time;
+  bool admissible = true;
+  if (!waits)
+    for (ElasticSolver* solid : alone_) admissible = solid->step({}, {}, stride.size == never ? dt : stride.size) && admissible;
+  for (std::size_t k = 0; k < interfaces_.size(); ++k) admissible = interfaces_[k].interface->advance(steps[k], dt) && admissible;
+  if (waits) return admissible;
   for (std::size_t s = 0; s < solids_.size(); ++s) {
-    const int substeps = interface_of_[s] < 0 ? 1 : steps[static_cast<std::size_t>(interface_of_[s])].substeps;
+    const int substeps = interface_of_[s] < 0 ? 1 : steps[static_cast<std::size_t>(interface_of_[s])].pace.substeps;
     computed_ += substeps * solids_[s]->last_count().computed;
     skipped_ += substeps * solids_[s]->last_count().skipped;
   }
@@ -104,10 +130,15 @@ void DeformingScene::reject(const Steps& steps) {
   for (std::size_t k = 0; k < steps.size(); ++k) interfaces_[k].interface->reject(steps[k]);
 }
 
-void DeformingScene::accept(const Steps& steps, double time, double dt) {
+void DeformingScene::accept(const Steps& steps, double time, double dt, const Stride& stride) {
   const auto scope = timers_("solid");
-  for (ElasticSolver* solid : alone_) solid->commit(time);
+  const bool waits = stride.size != never && time != stride.end;
+  if (!waits)
+    for (ElasticSolver* solid : alone_) solid->commit(time);
   for (std::size_t k = 0; k < steps.size(); ++k) interfaces_[k].interface->accept(steps[k], time, dt);
+  if (waits && stride_ == 0) begun_ = time - dt;
+  stride_ = waits ? stride.size : 0;
+  end_ = waits ? stride.end : 0;
 }
 
 std::string DeformingScene::first_bad_cell() const {
@@ -158,7 +189,7 @@ std::int64_t DeformingScene::computed() const { return computed_; }
 std::int64_t DeformingScene::skipped() const { return skipped_; }
 
 std::vector<double> DeformingScene::motion_state() const {
-  std::vector<double> state;
+  std::vector<double> state = {begun_, stride_, end_};
   for (const Member& member : interfaces_) {
     const std::vector<double> of_member = member.interface->motion_state();
     state.insert(state.end(), of_member.begin(), of_member.end());
@@ -167,6 +198,9 @@ std::vector<double> DeformingScene::motion_state() const {
 }
 
 const double* DeformingScene::resume(const double* state, double time) {
+  begun_ = *state++;
+  stride_ = *state++;
+  end_ = *state++;
   for (const Member& member : interfaces_) state = member.interface->resume(state);
   for (const auto& solid : solids_) solid->resume(time);
   return state;

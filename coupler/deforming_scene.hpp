@@ -39,18 +39,27 @@ class DeformingScene {
   void initialize();
   /// Velocities of the interfaces at t = 0.
   void start(Traces traces, const WallLaw& law);
-  /// Δt ≤ CFL / rate, given the rate of the fluid: structures that may take substeps do not count.
+  /// Δt ≤ CFL / rate of the fluid's steps: structures that take substeps do not count.
   double rate(double fluid_rate) const;
+  /// Size of the structures' step that begins or runs at `time` if it may not pass `limit`, and its end: the fluid's steps
+  /// may not pass that. Infinite where no structure waits for the fluid.
+  struct Stride {
+    double size, end;
+  };
+  Stride stride(double time, double limit, double fluid_rate, double cfl) const;
 
   std::vector<BodyPath<2>> present() const;
   std::vector<BodyPath<2>> predicted(double dt) const;
-  /// The schemes' answers; structures whose rate needs it take substeps. Throws NumericalError.
-  Steps solve(Traces traces, const WallLaw& law, double time, double dt, double cfl);
+  /// The schemes' answers for a step of the fluid within the stride; structures whose rate needs it take substeps.
+  /// Throws NumericalError.
+  Steps solve(Traces traces, const WallLaw& law, double time, double dt, const Stride& stride, double cfl);
   std::vector<BodyPath<2>> paths(const Steps& steps) const;
-  /// Advances solids and structures; nothing is final until accept(). False: not admissible. Collective.
-  bool advance(const Steps& steps, double dt);
+  /// Advances solids and structures whose step ends now; nothing is final until accept(). False: not admissible.
+  /// Collective.
+  bool advance(const Steps& steps, double time, double dt, const Stride& stride);
   void reject(const Steps& steps);
-  void accept(const Steps& steps, double time, double dt);
+  /// time: after the step.
+  void accept(const Steps& steps, double time, double dt, const Stride& stride);
   std::string first_bad_cell() const;
 
   /// Bound of what the changes of velocity add to the fluid's wave rates.
@@ -75,6 +84,7 @@ class DeformingScene {
     double spacing = 0;  // of the fluid's grid
   };
   int substeps_of(const Member& member, double dt, double cfl) const;
+  DeformingInterface::Pace pace_of(const Member& member, double time, double dt, const Stride& stride, double cfl) const;
 
   PhaseTimers& timers_;
   std::vector<SolidSetup> setups_;
@@ -82,6 +92,7 @@ class DeformingScene {
   std::vector<ElasticSolver*> alone_;  // without an interface
   std::vector<int> interface_of_;      // per solid; −1: alone
   std::vector<Member> interfaces_;
+  double begun_ = 0, stride_ = 0, end_ = 0;  // of the structures' step that is under way; stride_ = 0: none is
   std::int64_t computed_ = 0, skipped_ = 0;
 };
 

@@ -10,9 +10,12 @@ std::vector<Point<2>> ElasticStructure::interface_nodes() const {
   return nodes;
 }
 
-std::vector<StructureTrace> ElasticStructure::traces(double dt) {
+std::vector<StructureTrace> ElasticStructure::traces(double dt, double theta) {
   std::vector<StructureTrace> traces;
-  for (const ElasticTrace& trace : solver_.interface_traces(dt)) traces.push_back({trace.velocity, trace.traction, trace.admittance});
+  const auto line = [theta](const Point<2>& now, const Point<2>& half) { return Point<2>(now + 2 * theta * (half - now)); };
+  for (const ElasticTrace& t : solver_.interface_traces(dt))
+    traces.push_back(theta == 0.5 ? StructureTrace{t.velocity, t.traction, t.admittance}
+                                  : StructureTrace{line(t.velocity_now, t.velocity), line(t.traction_now, t.traction), t.admittance});
   return traces;
 }
 

@@ -14,7 +14,7 @@ class ElasticStructure : public Structure {
   bool periodic() const override { return grid().periodic; }
   Point<2> period() const override { return grid().period; }
   double rate() const override { return solver_.rate(); }
-  std::vector<StructureTrace> traces(double dt) override;
+  std::vector<StructureTrace> traces(double dt, double theta) override;
   bool step(std::span<const Point<2>> traction, std::span<const Point<2>> velocity, double dt) override;
   void commit(double time) override { solver_.commit(time); }
   std::string first_bad_cell() const override { return solver_.first_bad_cell(); }

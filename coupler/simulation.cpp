@@ -37,7 +37,10 @@ std::vector<FaceGeometry<1>> face_geometry(const LineAtlas& atlas) {
 DeformingScene deforming_scene(const Communicator& comm, const SimulationSetup<2>& setup, PhaseTimers& timers) {
   return {comm, setup.solids, setup.structures, setup.fluid, timers};
 }
-DeformingScene deforming_scene(const Communicator& comm, const SimulationSetup<1>&, PhaseTimers& timers) { return {comm, {}, {}, {}, timers}; }
+DeformingScene deforming_scene(const Communicator& comm, const SimulationSetup<1>&, PhaseTimers& timers) {
+  const EulerSetup<2> none;
+  return {comm, {}, {}, none, timers};
+}
 
 }  // namespace
 
@@ -95,7 +98,10 @@ void Simulation<Dim>::initialize() {
     return paths;
   };
   if constexpr (Dim == 2)
-    if (deforming_.interfaces() > 0) deforming_.start(std::span(fluid_.wall_traces(moving(), 0)).subspan(bodies_.size()), wall_law());
+    if (deforming_.interfaces() > 0) {
+      const auto traces = fluid_.wall_traces(moving(), 0);
+      deforming_.start(std::span(traces).subspan(bodies_.size()), wall_law());
+    }
   fluid_.measure_rates(moving(), instant);
   if (!fluid_.grids().empty()) fastest_wave_ = fluid_.rate() * fluid_.grids().front().spacing.maxCoeff();
   fastest_wave_ = std::max(fastest_wave_, deforming_.fastest_wave());
@@ -178,7 +184,8 @@ std::vector<ContactPoint<Dim>> Simulation<Dim>::near_contacts(double within) con
 
 /// What the coupling schemes make of the walls in a step of dt.
 template <int Dim>
-typename Simulation<Dim>::Motion Simulation<Dim>::move(double dt) {
+typename Simulation<Dim>::Motion Simulation<Dim>::move(const Plan& plan) {
+  const double dt = plan.dt;
   std::vector<BodyPath<Dim>> predicted;
   std::vector<std::vector<WallTrace<Dim>>> traces;
   {
@@ -191,7 +198,7 @@ typename Simulation<Dim>::Motion Simulation<Dim>::move(double dt) {
   Motion motion;
   if (!bodies_.empty()) move_bodies(motion, predicted, traces, dt);
   if constexpr (Dim == 2) {
-    motion.deforming = deforming_.solve(std::span(traces).subspan(bodies_.size()), wall_law(), time_, dt, setup_.cfl);
+    motion.deforming = deforming_.solve(std::span(traces).subspan(bodies_.size()), wall_law(), time_, dt, plan.stride, setup_.cfl);
     for (const DeformingInterface::Step& step : motion.deforming) motion.pressure.push_back(step.solution.pressure);
     for (BodyPath<2>& path : deforming_.paths(motion.deforming)) motion.paths.push_back(std::move(path));
   }
@@ -248,28 +255,28 @@ std::string Simulation<Dim>::runaway(const Motion& motion) const {
 }
 
 template <int Dim>
-double Simulation<Dim>::rate() const {
-  const double of_fluid = fluid_.rate();
-  return std::max(of_fluid, deforming_.rate(of_fluid));
-}
-
-template <int Dim>
-double Simulation<Dim>::next_step(double limit) const {
+typename Simulation<Dim>::Plan Simulation<Dim>::next_step(double limit) const {
   static constexpr double ramp[] = {0.1, 0.2, 0.4, 0.6, 0.8};  // the first steps, while waves form at discontinuities
-  double dt = setup_.time_step > 0 ? setup_.time_step : setup_.cfl / rate();
-  if (setup_.time_step <= 0 && step_ < 5) dt *= ramp[step_];
-  const double left = limit - time_;
-  if (dt >= left * (1 - 1e-12)) return left;
-  return 2 * dt > left ? 0.5 * left : dt;
+  const double of_fluid = fluid_.rate(), rate = std::max(of_fluid, deforming_.rate(of_fluid));
+  Plan plan{setup_.time_step > 0 ? setup_.time_step : setup_.cfl / rate, limit, {}};
+  plan.stride = deforming_.stride(time_, limit, setup_.time_step > 0 ? 0 : of_fluid, setup_.cfl);
+  plan.limit = std::min(limit, plan.stride.end);
+  if (setup_.time_step <= 0 && step_ < 5) plan.dt *= ramp[step_];
+  const double left = plan.limit - time_;
+  if (plan.dt >= left * (1 - 1e-12))
+    plan.dt = left;
+  else if (2 * plan.dt > left)
+    plan.dt = 0.5 * left;
+  return plan;
 }
 
 template <int Dim>
 double Simulation<Dim>::advance(double limit) {
   try {
-    double dt = next_step(limit);
-    const Motion motion = attempt(dt);
-    accept(motion, dt, limit);
-    return dt;
+    Plan plan = next_step(limit);
+    const Motion motion = attempt(plan);
+    accept(motion, plan);
+    return plan.dt;
   } catch (const NumericalError& error) {
     throw NumericalError("the computation failed at t = " + std::to_string(time_) + ", step " + std::to_string(step_) + ": " + error.what());
   }
@@ -277,13 +284,14 @@ double Simulation<Dim>::advance(double limit) {
 
 /// Bodies and fluid over dt, which is made smaller until the step is admissible.
 template <int Dim>
-typename Simulation<Dim>::Motion Simulation<Dim>::attempt(double& dt) {
+typename Simulation<Dim>::Motion Simulation<Dim>::attempt(Plan& plan) {
+  double& dt = plan.dt;
   for (int tries = 0;; ++tries) {
-    Motion motion = move(dt);
+    Motion motion = move(plan);
     const std::string lost = runaway(motion);
     const double fastest = dt * (fluid_.rate() + extra_rate(motion));
     const bool too_fast = lost.empty() && setup_.time_step <= 0 && fastest > 1 && tries < 20;
-    const bool admissible = !too_fast && step(motion, dt);
+    const bool admissible = !too_fast && step(motion, plan);
     if (admissible && lost.empty()) return motion;
     const std::string bad = too_fast || admissible ? "" : inadmissible(motion);
     deforming_.reject(motion.deforming);
@@ -298,11 +306,11 @@ typename Simulation<Dim>::Motion Simulation<Dim>::attempt(double& dt) {
 }
 
 template <int Dim>
-bool Simulation<Dim>::step(const Motion& motion, double dt) {
+bool Simulation<Dim>::step(const Motion& motion, const Plan& plan) {
   for (const DeformingInterface::Step& interface : motion.deforming)
     if (!interface.admissible) return false;  // found on every rank alike
-  const bool fluid = fluid_.step(motion.paths, motion.pressure, dt);
-  return deforming_.advance(motion.deforming, dt) && fluid;
+  const bool fluid = fluid_.step(motion.paths, motion.pressure, plan.dt);
+  return deforming_.advance(motion.deforming, time_, plan.dt, plan.stride) && fluid;
 }
 
 /// The first bad cell of a step that is not admissible.
@@ -313,7 +321,7 @@ std::string Simulation<Dim>::inadmissible(const Motion& motion) const {
 }
 
 template <int Dim>
-void Simulation<Dim>::accept(const Motion& motion, double dt, double limit) {
+void Simulation<Dim>::accept(const Motion& motion, const Plan& plan) {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     bodies_[b].pose = motion.paths[b].end;
     bodies_[b].y = motion.end[b];
@@ -321,14 +329,14 @@ void Simulation<Dim>::accept(const Motion& motion, double dt, double limit) {
   mean_velocity_ = motion.mean;
   loads_ = motion.loads;
   contacts_ += motion.contacts;
-  const bool last = dt == limit - time_;
-  time_ = last ? limit : time_ + dt;
-  last_step_ = dt;
+  const bool last = plan.dt == plan.limit - time_;
+  time_ = last ? plan.limit : time_ + plan.dt;
+  last_step_ = plan.dt;
   ++step_;
   restless_ = std::max(0, restless_ - 1);
   cell_updates_ += fluid_.last_count().computed + deforming_.computed();
   cells_skipped_ += fluid_.last_count().skipped + deforming_.skipped();
-  deforming_.accept(motion.deforming, time_, dt);
+  deforming_.accept(motion.deforming, time_, plan.dt, plan.stride);
   least_j_ = std::min(least_j_, deforming_.least_j());
   fluid_.commit(present(), time_);
 }

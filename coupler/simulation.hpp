@@ -73,8 +73,8 @@ class Simulation {
   void initialize();
   /// One step that does not pass `limit`; returns Δt. Throws NumericalError naming the first bad cell.
   double advance(double limit);
-  /// The Δt advance(limit) would begin with.
-  double next_step(double limit) const;
+  /// advance() takes the same steps for either limit, this time at least.
+  bool same_step(double limit, double other) const { return next_step(limit) == next_step(other); }
 
   double time() const { return time_; }
   std::int64_t steps() const { return step_; }
@@ -112,12 +112,17 @@ class Simulation {
     DeformingScene::Steps deforming;  // of the interfaces, whose pressures and paths come after those of the bodies
   };
 
+  struct Plan {  // of a step
+    double dt, limit;
+    DeformingScene::Stride stride;  // of the structures
+    bool operator==(const Plan& other) const { return dt == other.dt && stride.size == other.stride.size; }
+  };
+  Plan next_step(double limit) const;
   WallLaw wall_law() const;
-  double rate() const;
   std::vector<BodyPath<Dim>> present() const;
   BodyPath<Dim> path(std::size_t body, const BodyVector<Dim>& mean, double dt) const;
   BodyVector<Dim> held_velocity(std::size_t body, double dt) const;
-  Motion move(double dt);
+  Motion move(const Plan& plan);
   void move_bodies(Motion& motion, const std::vector<BodyPath<Dim>>& predicted, const std::vector<std::vector<WallTrace<Dim>>>& traces, double dt);
   std::string inadmissible(const Motion& motion) const;
   std::vector<WallFace<Dim>> wall_faces(std::size_t body, const std::vector<WallTrace<Dim>>& traces, const Pose<Dim>& pose) const;
@@ -125,9 +130,9 @@ class Simulation {
   std::vector<ContactPoint<Dim>> near_contacts(double within) const;
   double extra_rate(const Motion& motion) const;
   std::string runaway(const Motion& motion) const;
-  Motion attempt(double& dt);
-  bool step(const Motion& motion, double dt);
-  void accept(const Motion& motion, double dt, double limit);
+  Motion attempt(Plan& plan);
+  bool step(const Motion& motion, const Plan& plan);
+  void accept(const Motion& motion, const Plan& plan);
 
   Communicator comm_;
   SimulationSetup<Dim> setup_;
