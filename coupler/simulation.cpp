@@ -56,7 +56,7 @@ std::vector<Pose<Dim>> Simulation<Dim>::poses() const {
 
 template <int Dim>
 void Simulation<Dim>::initialize() {
-  fluid_.initialize(setup_.initial, poses(), time_);
+  fluid_.initialize(setup_.initial, resting(poses()), time_);
   const double instant = 1e-6 * setup_.fluid.domain.high[0];
   for (std::size_t b = 0; b < bodies_.size(); ++b) mean_velocity_[b] = held_velocity(b, instant);
   std::vector<BodyPath<Dim>> paths;
@@ -255,7 +255,7 @@ void Simulation<Dim>::accept(const Motion& motion, double dt, double limit) {
   restless_ = std::max(0, restless_ - 1);
   cell_updates_ += fluid_.last_count().computed;
   cells_skipped_ += fluid_.last_count().skipped;
-  fluid_.commit(poses(), time_);
+  fluid_.commit(motion.paths, time_);
 }
 
 template <int Dim>
@@ -288,7 +288,7 @@ void Simulation<Dim>::resume(const std::vector<double>& state) {
     for (int d = 0; d < Dim; ++d) loads_[b].force[d] = *next++;
     loads_[b].torque = *next++;
   }
-  fluid_.resume(poses(), time_);
+  fluid_.resume(resting(poses()), time_);
 }
 
 template class Simulation<1>;
