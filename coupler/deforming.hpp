@@ -5,8 +5,11 @@
 //   solve     the scheme: pressures of the fluid's faces, tractions and velocities of the structure's
 //   move      nodes x^{n+1} = x^n + Δt w of the interface; the fluid's grid grown anew from it, or stretched
 //   load      tractions from the pressures on the mean area vectors of the step: action = reaction to round-off
-// A structure that is faster than the fluid takes several steps within one of the fluid's (substeps), the fluid's data
-// being linear in time; the fluid then gets the mean of the substeps' pressures and its wall the mean of their motion.
+// The faster side may take several steps within one of the slower's, whose data are then linear in time, and the slower
+// gets the mean of what the faster one got: second order, and the same impulse on both sides.
+// * structure faster: its substeps are taken within the fluid's step; the fluid gets their mean pressure, its wall
+//   their mean motion.
+// * fluid faster: the structure waits over several steps of the fluid; its step then gets their mean traction.
 #pragma once
 
 #include <functional>
@@ -27,7 +30,7 @@ struct InterfaceSetup {
   InterfaceOptions options;
   bool inward = false;              // the fluid's grid was grown into the outline
   std::vector<Point<2>> far;        // not empty: the fluid's last layer stays here, the grid is stretched (its row() nodes)
-  bool substeps = true;             // let the structure take substeps where it is faster
+  bool substeps = true;             // let the faster side take several steps within one of the slower's
   std::function<Point<2>(const Point<2>& X)> displacement;  // of the interface at t = 0; empty: none
   std::function<Point<2>(const Point<2>& X)> velocity;      // of the interface at t = 0; empty: at rest
 };
@@ -41,6 +44,96 @@ struct InterfaceState {
   std::vector<Point<2>> fluid_nodes;             // present positions of the fluid's layer 0, in its order
   Point<2> force = Point<2>::Zero();             // of the fluid on the structure, mean over the last step
   double half_time = 0;                          // node velocities and pressure are those of this time
+};
+
+/// One interface between a structure and the fluid grid around it, from step to step. Holds no fluid and no solid state.
+class DeformingInterface {
+ public:
+  /// How the structure's step relates to the fluid's.
+  struct Pace {
+    int substeps = 1;    // of the structure within the fluid's step
+    double size = 0;     // of the structure's step, if it has no substeps
+    double begun = 0;    // part of it that is over at t
+    bool finishes = true;  // the structure's step ends with the fluid's
+  };
+
+  /// One attempted step.
+  struct Step {
+    InterfaceSolution solution;          // means over the step
+    std::vector<Point<2>> displacement;  // of the interface's nodes at t + Δt
+    std::vector<Point<2>> node_velocity;
+    std::shared_ptr<const GrownGrid> mesh;  // of the fluid at t + Δt
+    Point<2> force = Point<2>::Zero();
+    Pace pace;
+    bool admissible = true;  // of the substeps already taken
+  };
+
+  /// `grid`: the fluid's at t = 0, before any displacement. The structure is not owned. Throws InputError when the nodes
+  /// of the two sides do not lie on one curve.
+  DeformingInterface(InterfaceSetup setup, Structure& structure, const FittedBody<2>& grid);
+
+  /// Where the fluid's grid is now: for EulerSolver::initialize() and resume().
+  BodyPath<2> present() const;
+  /// As if it moved on as in the last step.
+  BodyPath<2> predicted(double dt) const;
+  /// The velocity at t = 0 from data of both sides at rest in time.
+  void start(std::span<const WallTrace<2>> fluid, const WallLaw& law);
+
+  /// The scheme's answer for a step of the fluid; with substeps the structure has already taken them.
+  Step solve(std::span<const WallTrace<2>> fluid, const WallLaw& law, double time, double dt, const Pace& pace);
+  /// Advances the structure if its step ends now. False: not admissible.
+  bool advance(const Step& step, double dt);
+  /// Undoes what solve() did to the structure.
+  void reject(const Step& step);
+  void accept(const Step& step, double time, double dt);
+  BodyPath<2> path(const Step& step) const;
+
+  /// Largest change of a node's velocity from the last step to this one (sum norm), and the fastest node.
+  double change_of_velocity(const Step& step) const;
+  static double fastest_node(const Step& step);
+
+  const InterfaceSetup& setup() const { return setup_; }
+  Structure& structure() const { return structure_; }
+  InterfaceState state() const;
+  /// All that a restart needs; the length depends on the scene only.
+  std::vector<double> motion_state() const;
+  const double* resume(const double* state);
+
+ private:
+  struct Stencil {  // of a fluid node on the interface's nodes
+    std::array<std::size_t, 4> node{};
+    std::array<double, 4> weight{};
+  };
+
+  std::vector<Point<2>> fluid_curve(const std::vector<Point<2>>& displacement) const;
+  std::shared_ptr<const GrownGrid> follow(const std::vector<Point<2>>& displacement) const;
+  std::vector<Point<2>> predicted_areas(double from_now) const;
+  InterfaceSolution ask(std::span<const FluidTrace> fluid, const WallLaw& law, double from_now, InterfaceProblem& problem);
+  void take_substeps(Step& step, std::span<const WallTrace<2>> fluid, const WallLaw& law, double time, double dt, InterfaceProblem& problem);
+  void push_history(const InterfaceSolution& solution);
+
+  InterfaceSetup setup_;
+  Structure& structure_;
+  const InterfaceScheme* scheme_;
+  bool overlaps_;
+  std::vector<Point<2>> reference_, fluid_reference_;  // nodes of the structure's faces, of the fluid's
+  std::vector<double> lengths_;                        // of the structure's faces
+  std::vector<Stencil> stencils_;                      // per fluid node
+  GrowthOptions growth_{};
+  double smoothing_ = 0;
+  Point<2> period_ = Point<2>::Zero();  // of the fluid's nodes
+  std::unique_ptr<Transfer> transfer_;
+  std::vector<StructureTrace> traces_;
+  std::vector<Point<2>> areas_;
+
+  std::vector<Point<2>> displacement_, previous_displacement_, velocity_;  // of the interface's nodes
+  double last_step_ = 0, half_time_ = 0;
+  std::shared_ptr<const GrownGrid> mesh_, previous_mesh_;
+  std::shared_ptr<const BodyAtlas> atlas_;
+  std::vector<Point<2>> impulse_, advance_;  // ∫t_I dt and ∫v_I dt per structure face since its step began; empty: it begins now
+  InterfaceHistory history_;
+  std::vector<double> pressure_;
+  Point<2> force_ = Point<2>::Zero();
 };
 
 }  // namespace mortise

@@ -66,13 +66,17 @@ class Structure {
   virtual Point<2> period() const { return Point<2>::Zero(); }
   /// Δt ≤ CFL / rate.
   virtual double rate() const = 0;
-  /// At t + ½Δt, per face; the same on every rank. Collective.
-  virtual std::vector<StructureTrace> traces(double dt) = 0;
+  /// At t + θΔt, per face, linear in time from t to what a step of Δt has at its half; the same on every rank. Collective.
+  virtual std::vector<StructureTrace> traces(double dt, double theta) = 0;
   /// Advances by dt with traction (outward reference normal, per reference area) and velocity at the faces; the new
   /// state is kept aside until commit(). False: not admissible. Collective.
   virtual bool step(std::span<const Point<2>> traction, std::span<const Point<2>> velocity, double dt) = 0;
   virtual void commit(double time) = 0;
   virtual std::string first_bad_cell() const = 0;
+  /// Remembers the present state, and goes back to it: what several steps within one of the fluid's need.
+  virtual bool can_return() const { return false; }
+  virtual void remember() {}
+  virtual void go_back() {}
 };
 
 }  // namespace mortise

@@ -34,11 +34,23 @@ std::vector<FaceGeometry<1>> face_geometry(const LineAtlas& atlas) {
   return faces;
 }
 
+DeformingScene deforming_scene(const Communicator& comm, const SimulationSetup<2>& setup, PhaseTimers& timers) {
+  return {comm, setup.solids, setup.structures, setup.fluid, timers};
+}
+DeformingScene deforming_scene(const Communicator& comm, const SimulationSetup<1>&, PhaseTimers& timers) {
+  const EulerSetup<2> none;
+  return {comm, {}, {}, none, timers};
+}
+
 }  // namespace
 
 template <int Dim>
 Simulation<Dim>::Simulation(const Communicator& comm, SimulationSetup<Dim> setup)
-    : comm_(comm), setup_(std::move(setup)), fluid_(comm_, setup_.fluid, timers_), scheme_(&body_schemes<Dim>().at(setup_.scheme)) {
+    : comm_(comm),
+      setup_(std::move(setup)),
+      fluid_(comm_, setup_.fluid, timers_),
+      deforming_(deforming_scene(comm_, setup_, timers_)),
+      scheme_(&body_schemes<Dim>().at(setup_.scheme)) {
   for (const BodySetup<Dim>& body : setup_.bodies) {
     bodies_.push_back(body.body);
     initial_poses_.push_back(body.body.pose);
@@ -54,15 +66,46 @@ std::vector<Pose<Dim>> Simulation<Dim>::poses() const {
   return all;
 }
 
+/// Where all grids of bodies and interfaces are: paths without motion.
+template <int Dim>
+std::vector<BodyPath<Dim>> Simulation<Dim>::present() const {
+  std::vector<BodyPath<Dim>> paths;
+  for (const RigidBody<Dim>& body : bodies_) paths.push_back({body.pose, body.pose});
+  if constexpr (Dim == 2)
+    for (BodyPath<2>& path : deforming_.present()) paths.push_back(std::move(path));
+  return paths;
+}
+
+template <int Dim>
+WallLaw Simulation<Dim>::wall_law() const {
+  return [gamma = setup_.fluid.gas.gamma](double density, double pressure, double d) {
+    const WallResponse response = wall_response(density, pressure, d, gamma);
+    return WallPressure{response.pressure, response.impedance};
+  };
+}
+
 template <int Dim>
 void Simulation<Dim>::initialize() {
-  fluid_.initialize(setup_.initial, poses(), time_);
-  const double instant = 1e-6 * setup_.fluid.domain.high[0];
+  deforming_.initialize();
+  fluid_.initialize(setup_.initial, present(), time_);
+  const double instant = 1e-6 * setup_.cfl * setup_.fluid.domain.high.maxCoeff();
   for (std::size_t b = 0; b < bodies_.size(); ++b) mean_velocity_[b] = held_velocity(b, instant);
-  std::vector<BodyPath<Dim>> paths;
-  for (std::size_t b = 0; b < bodies_.size(); ++b) paths.push_back(path(b, mean_velocity_[b], instant));
-  fluid_.measure_rates(paths, instant);
-  fastest_wave_ = fluid_.rate() * fluid_.grids().front().spacing.maxCoeff();
+  const auto moving = [&] {
+    std::vector<BodyPath<Dim>> paths;
+    for (std::size_t b = 0; b < bodies_.size(); ++b) paths.push_back(path(b, mean_velocity_[b], instant));
+    if constexpr (Dim == 2)
+      for (BodyPath<2>& path : deforming_.predicted(instant)) paths.push_back(std::move(path));
+    return paths;
+  };
+  if constexpr (Dim == 2)
+    if (deforming_.interfaces() > 0) {
+      const auto traces = fluid_.wall_traces(moving(), 0);
+      deforming_.start(std::span(traces).subspan(bodies_.size()), wall_law());
+    }
+  fluid_.measure_rates(moving(), instant);
+  if (!fluid_.grids().empty()) fastest_wave_ = fluid_.rate() * fluid_.grids().front().spacing.maxCoeff();
+  fastest_wave_ = std::max(fastest_wave_, deforming_.fastest_wave());
+  least_j_ = deforming_.least_j();
 }
 
 /// y^n, with the mean velocity over the coming step in place of held degrees of freedom.
@@ -139,24 +182,39 @@ std::vector<ContactPoint<Dim>> Simulation<Dim>::near_contacts(double within) con
   return find_gaps<Dim>(shapes, setup_.fluid.domain, fluid_.grids().front().periodic, within);
 }
 
+/// What the coupling schemes make of the walls in a step of dt.
 template <int Dim>
-typename Simulation<Dim>::Motion Simulation<Dim>::move_bodies(double dt) {
-  const auto scope = timers_("bodies");
+typename Simulation<Dim>::Motion Simulation<Dim>::move(const Plan& plan) {
+  const double dt = plan.dt;
   std::vector<BodyPath<Dim>> predicted;
-  for (std::size_t b = 0; b < bodies_.size(); ++b) predicted.push_back(path(b, held_velocity(b, dt), dt));
-  const std::vector<std::vector<WallTrace<Dim>>> traces = fluid_.wall_traces(predicted, dt);
-  const double gamma = setup_.fluid.gas.gamma;
-  const WallLaw law = [gamma](double density, double pressure, double d) {
-    const WallResponse response = wall_response(density, pressure, d, gamma);
-    return WallPressure{response.pressure, response.impedance};
-  };
+  std::vector<std::vector<WallTrace<Dim>>> traces;
+  {
+    const auto scope = timers_("bodies");
+    for (std::size_t b = 0; b < bodies_.size(); ++b) predicted.push_back(path(b, held_velocity(b, dt), dt));
+    if constexpr (Dim == 2)
+      for (BodyPath<2>& path : deforming_.predicted(dt)) predicted.push_back(std::move(path));
+    traces = fluid_.wall_traces(predicted, dt);
+  }
+  Motion motion;
+  if (!bodies_.empty()) move_bodies(motion, predicted, traces, dt);
+  if constexpr (Dim == 2) {
+    motion.deforming = deforming_.solve(std::span(traces).subspan(bodies_.size()), wall_law(), time_, dt, plan.stride, setup_.cfl);
+    for (const DeformingInterface::Step& step : motion.deforming) motion.pressure.push_back(step.solution.pressure);
+    for (BodyPath<2>& path : deforming_.paths(motion.deforming)) motion.paths.push_back(std::move(path));
+  }
+  return motion;
+}
+
+template <int Dim>
+void Simulation<Dim>::move_bodies(Motion& motion, const std::vector<BodyPath<Dim>>& predicted, const std::vector<std::vector<WallTrace<Dim>>>& traces,
+                                  double dt) {
+  const auto scope = timers_("bodies");
   std::vector<CoupledBody<Dim>> coupled;
   for (std::size_t b = 0; b < bodies_.size(); ++b) coupled.push_back(coupled_body(b, predicted[b], traces[b], dt));
   GapSearch<Dim> gaps;
   if (setup_.contact) gaps = [this](double within) { return near_contacts(within); };
-  const ContactStep<Dim> step = advance_bodies<Dim>(std::move(coupled), scheme_->advance, law, gaps,
+  const ContactStep<Dim> step = advance_bodies<Dim>(std::move(coupled), scheme_->advance, wall_law(), gaps,
                                                     {.restitution = setup_.restitution, .distance = setup_.contact_gap, .dt = dt});
-  Motion motion;
   motion.contacts = step.count;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const BodyMotion<Dim>& moved = step.motions[b];
@@ -166,13 +224,12 @@ typename Simulation<Dim>::Motion Simulation<Dim>::move_bodies(double dt) {
     motion.loads.push_back({moved.force.template head<Dim>(), Dim == 2 ? moved.force[degrees_of_freedom<Dim> - 1] : 0.0});
     motion.paths.push_back(path(b, moved.mean, dt));
   }
-  return motion;
 }
 
 /// Bound of what the change of the walls' velocity adds to the wave rates, which were measured with the last one.
 template <int Dim>
 double Simulation<Dim>::extra_rate(const Motion& motion) const {
-  double extra = 0;
+  double extra = deforming_.extra_rate(motion.deforming);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const BodyVector<Dim> change = motion.mean[b] - mean_velocity_[b];
     double speed = change.template head<Dim>().template lpNorm<1>();
@@ -182,37 +239,44 @@ double Simulation<Dim>::extra_rate(const Motion& motion) const {
   return extra;
 }
 
-/// The body that runs away in this motion, or nothing. Bodies with a prescribed force may be as fast as they are made.
+/// The body or surface that runs away in this motion, or nothing. Bodies with a prescribed force may be as fast as they are made.
 template <int Dim>
 std::string Simulation<Dim>::runaway(const Motion& motion) const {
+  const std::string beyond = ", more than " + std::to_string(static_cast<int>(runaway_factor)) + " times the fastest wave of the initial state";
   for (std::size_t b = 0; b < bodies_.size(); ++b)
     for (int k = 0; k < degrees_of_freedom<Dim>; ++k) {
       const auto degree = static_cast<std::size_t>(k);
       const double speed = motion.end[b][k] * (k < Dim ? 1 : bodies_[b].length);  // of the surface, if it turns
       if (!bodies_[b].held[degree] && !setup_.bodies[b].force[degree] && !(std::fabs(speed) <= runaway_factor * fastest_wave_))
-        return "body " + bodies_[b].name + (k < Dim ? " moves at " : " turns at ") + std::to_string(speed) + ", more than " +
-               std::to_string(static_cast<int>(runaway_factor)) + " times the fastest wave of the initial state";
+        return "body " + bodies_[b].name + (k < Dim ? " moves at " : " turns at ") + std::to_string(speed) + beyond;
     }
-  return "";
+  const std::string surface = deforming_.faster_than(runaway_factor * fastest_wave_, motion.deforming);
+  return surface.empty() ? "" : surface + beyond;
 }
 
 template <int Dim>
-double Simulation<Dim>::next_step(double limit) const {
+typename Simulation<Dim>::Plan Simulation<Dim>::next_step(double limit) const {
   static constexpr double ramp[] = {0.1, 0.2, 0.4, 0.6, 0.8};  // the first steps, while waves form at discontinuities
-  double dt = setup_.time_step > 0 ? setup_.time_step : setup_.cfl / fluid_.rate();
-  if (setup_.time_step <= 0 && step_ < 5) dt *= ramp[step_];
-  const double left = limit - time_;
-  if (dt >= left * (1 - 1e-12)) return left;
-  return 2 * dt > left ? 0.5 * left : dt;
+  const double of_fluid = fluid_.rate(), rate = std::max(of_fluid, deforming_.rate(of_fluid));
+  Plan plan{setup_.time_step > 0 ? setup_.time_step : setup_.cfl / rate, limit, {}};
+  plan.stride = deforming_.stride(time_, limit, setup_.time_step > 0 ? 0 : of_fluid, setup_.cfl);
+  plan.limit = std::min(limit, plan.stride.end);
+  if (setup_.time_step <= 0 && step_ < 5) plan.dt *= ramp[step_];
+  const double left = plan.limit - time_;
+  if (plan.dt >= left * (1 - 1e-12))
+    plan.dt = left;
+  else if (2 * plan.dt > left)
+    plan.dt = 0.5 * left;
+  return plan;
 }
 
 template <int Dim>
 double Simulation<Dim>::advance(double limit) {
   try {
-    double dt = next_step(limit);
-    const Motion motion = attempt(dt);
-    accept(motion, dt, limit);
-    return dt;
+    Plan plan = next_step(limit);
+    const Motion motion = attempt(plan);
+    accept(motion, plan);
+    return plan.dt;
   } catch (const NumericalError& error) {
     throw NumericalError("the computation failed at t = " + std::to_string(time_) + ", step " + std::to_string(step_) + ": " + error.what());
   }
@@ -220,27 +284,44 @@ double Simulation<Dim>::advance(double limit) {
 
 /// Bodies and fluid over dt, which is made smaller until the step is admissible.
 template <int Dim>
-typename Simulation<Dim>::Motion Simulation<Dim>::attempt(double& dt) {
+typename Simulation<Dim>::Motion Simulation<Dim>::attempt(Plan& plan) {
+  double& dt = plan.dt;
   for (int tries = 0;; ++tries) {
-    Motion motion = move_bodies(dt);
+    Motion motion = move(plan);
     const std::string lost = runaway(motion);
     const double fastest = dt * (fluid_.rate() + extra_rate(motion));
     const bool too_fast = lost.empty() && setup_.time_step <= 0 && fastest > 1 && tries < 20;
-    const bool admissible = !too_fast && fluid_.step(motion.paths, motion.pressure, dt);
+    const bool admissible = !too_fast && step(motion, plan);
     if (admissible && lost.empty()) return motion;
-    const std::string bad = too_fast || admissible ? "" : fluid_.first_bad_cell(motion.paths);
+    const std::string bad = too_fast || admissible ? "" : inadmissible(motion);
+    deforming_.reject(motion.deforming);
     if (!lost.empty()) throw NumericalError("the coupling is unstable, " + lost + (bad.empty() ? "" : "; first bad cell: " + bad));
     ++repeats_;
     restless_ += 2;
     if (restless_ > 2 * repeat_limit)
-      throw NumericalError(std::string(bodies_.empty() ? "" : "the coupling is unstable, ") + "steps have to be repeated again and again" + (bad.empty() ? "" : ", last for " + bad));
+      throw NumericalError(std::string(setup_.fluid.bodies.empty() ? "" : "the coupling is unstable, ") + "steps have to be repeated again and again" + (bad.empty() ? "" : ", last for " + bad));
     if (tries >= 30 || dt < 1e-14 * (std::fabs(time_) + 1)) throw NumericalError(bad);
     dt = too_fast ? dt * std::max(0.5, std::min(0.95, setup_.cfl / fastest)) : 0.5 * dt;
   }
 }
 
 template <int Dim>
-void Simulation<Dim>::accept(const Motion& motion, double dt, double limit) {
+bool Simulation<Dim>::step(const Motion& motion, const Plan& plan) {
+  for (const DeformingInterface::Step& interface : motion.deforming)
+    if (!interface.admissible) return false;  // found on every rank alike
+  const bool fluid = fluid_.step(motion.paths, motion.pressure, plan.dt);
+  return deforming_.advance(motion.deforming, time_, plan.dt, plan.stride) && fluid;
+}
+
+/// The first bad cell of a step that is not admissible.
+template <int Dim>
+std::string Simulation<Dim>::inadmissible(const Motion& motion) const {
+  const std::string in_fluid = fluid_.first_bad_cell(motion.paths);
+  return in_fluid.empty() ? deforming_.first_bad_cell() : in_fluid;
+}
+
+template <int Dim>
+void Simulation<Dim>::accept(const Motion& motion, const Plan& plan) {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     bodies_[b].pose = motion.paths[b].end;
     bodies_[b].y = motion.end[b];
@@ -248,19 +329,21 @@ void Simulation<Dim>::accept(const Motion& motion, double dt, double limit) {
   mean_velocity_ = motion.mean;
   loads_ = motion.loads;
   contacts_ += motion.contacts;
-  const bool last = dt == limit - time_;
-  time_ = last ? limit : time_ + dt;
-  last_step_ = dt;
+  const bool last = plan.dt == plan.limit - time_;
+  time_ = last ? plan.limit : time_ + plan.dt;
+  last_step_ = plan.dt;
   ++step_;
   restless_ = std::max(0, restless_ - 1);
-  cell_updates_ += fluid_.last_count().computed;
-  cells_skipped_ += fluid_.last_count().skipped;
-  fluid_.commit(poses(), time_);
+  cell_updates_ += fluid_.last_count().computed + deforming_.computed();
+  cells_skipped_ += fluid_.last_count().skipped + deforming_.skipped();
+  deforming_.accept(motion.deforming, time_, plan.dt, plan.stride);
+  least_j_ = std::min(least_j_, deforming_.least_j());
+  fluid_.commit(present(), time_);
 }
 
 template <int Dim>
 std::vector<double> Simulation<Dim>::motion_state() const {
-  std::vector<double> state = {time_, last_step_, static_cast<double>(step_), static_cast<double>(restless_), fastest_wave_};
+  std::vector<double> state = {time_, last_step_, static_cast<double>(step_), static_cast<double>(restless_), fastest_wave_, least_j_};
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     for (int d = 0; d < Dim; ++d) state.push_back(bodies_[b].pose.position[d]);
     state.push_back(bodies_[b].pose.angle);
@@ -269,6 +352,8 @@ std::vector<double> Simulation<Dim>::motion_state() const {
     for (int d = 0; d < Dim; ++d) state.push_back(loads_[b].force[d]);
     state.push_back(loads_[b].torque);
   }
+  const std::vector<double> interfaces = deforming_.motion_state();
+  state.insert(state.end(), interfaces.begin(), interfaces.end());
   return state;
 }
 
@@ -280,6 +365,7 @@ void Simulation<Dim>::resume(const std::vector<double>& state) {
   step_ = static_cast<std::int64_t>(*next++);
   restless_ = static_cast<int>(*next++);
   fastest_wave_ = *next++;
+  least_j_ = *next++;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     for (int d = 0; d < Dim; ++d) bodies_[b].pose.position[d] = *next++;
     bodies_[b].pose.angle = *next++;
@@ -288,7 +374,8 @@ void Simulation<Dim>::resume(const std::vector<double>& state) {
     for (int d = 0; d < Dim; ++d) loads_[b].force[d] = *next++;
     loads_[b].torque = *next++;
   }
-  fluid_.resume(poses(), time_);
+  deforming_.resume(next, time_);
+  fluid_.resume(present(), time_);
 }
 
 template class Simulation<1>;

@@ -1,9 +1,11 @@
-// A scene of gas and rigid bodies, advanced in time.
+// A scene of gas, rigid bodies and elastic solids, advanced in time.
 //
 // One step, t → t + Δt:
 //   predict walls   fluid at the wall faces at t and t + Δt/2, walls moving as in the last step
-//   move bodies     the coupling scheme solves M y' = F(y); contacts
-//   advance fluid   every grid, body grids along the path of their body, wall faces with the scheme's pressure
+//   move bodies     rigid: the coupling scheme solves M y' = F(y), contacts; deforming: the fluid-structure Riemann problem of
+//                   every interface (deforming.hpp)
+//   advance         fluid: every grid, body grids along the path of their body, wall faces with the scheme's pressure;
+//                   solids with the scheme's tractions
 //   correct grids   cut holes for the new poses, interpolate fringe and exposed cells, fill ghosts
 // A step whose state is not admissible, or whose walls turn out faster than Δt allows, is repeated with a smaller Δt. The
 // coupling counts as unstable when a body that nothing but gas pushes moves faster than runaway_factor times the fastest wave of the initial
@@ -19,9 +21,8 @@
 
 #include "mortise/coupler/body_schemes.hpp"
 #include "mortise/coupler/contact_step.hpp"
-#include "mortise/coupler/deforming.hpp"
+#include "mortise/coupler/deforming_scene.hpp"
 #include "mortise/fluid/euler_solver.hpp"
-#include "mortise/solid/elastic_solver.hpp"
 #include "mortise/solid/rigid_body.hpp"
 
 namespace mortise {
@@ -35,19 +36,6 @@ struct BodySetup {
   std::array<TimeFunction, degrees_of_freedom<Dim>> motion;  // prescribed displacement from the initial pose
   std::array<TimeFunction, degrees_of_freedom<Dim>> force;   // external force and torque
   std::shared_ptr<const Outline> outline;                    // 2D: for contact
-};
-
-/// An elastic solid, in a gas or alone.
-struct SolidSetup {
-  ElasticSetup elastic;
-  ElasticFunction initial;                  // at t = 0
-  std::optional<InterfaceSetup> interface;  // of the fitted grid's south side; without: the solid is alone
-};
-
-/// Any other structure, coupled in the same way.
-struct StructureSetup {
-  std::function<std::unique_ptr<Structure>(const Communicator&)> make;
-  InterfaceSetup interface;
 };
 
 template <int Dim>
@@ -85,19 +73,21 @@ class Simulation {
   void initialize();
   /// One step that does not pass `limit`; returns Δt. Throws NumericalError naming the first bad cell.
   double advance(double limit);
-  /// The Δt advance(limit) would begin with.
-  double next_step(double limit) const;
+  /// advance() takes the same steps for either limit, this time at least.
+  bool same_step(double limit, double other) const { return next_step(limit) == next_step(other); }
 
   double time() const { return time_; }
   std::int64_t steps() const { return step_; }
   const std::vector<RigidBody<Dim>>& bodies() const { return bodies_; }
   const std::vector<BodyLoad<Dim>>& loads() const { return loads_; }
   std::vector<Pose<Dim>> poses() const;
-  const std::vector<std::unique_ptr<ElasticSolver>>& solids() const { return solids_; }
+  const std::vector<std::unique_ptr<ElasticSolver>>& solids() const { return deforming_.solids(); }
   /// Of the solids and structures with an interface, in the order of fluid.bodies.
-  std::vector<InterfaceState> interfaces() const;
+  std::vector<InterfaceState> interfaces() const { return deforming_.states(); }
   /// Smallest J seen in any solid since the start (1: none, or linear elasticity only).
   double least_j() const { return least_j_; }
+  /// Fastest wave |u| + c of the initial state of gas and solids, at most.
+  double fastest_wave() const { return fastest_wave_; }
   EulerSolver<Dim>& fluid() { return fluid_; }
   const EulerSolver<Dim>& fluid() const { return fluid_; }
   const SimulationSetup<Dim>& setup() const { return setup_; }
@@ -119,19 +109,30 @@ class Simulation {
     std::vector<BodyLoad<Dim>> loads;
     std::vector<BodyPath<Dim>> paths;
     int contacts = 0;
+    DeformingScene::Steps deforming;  // of the interfaces, whose pressures and paths come after those of the bodies
   };
 
-  std::vector<BodyPath<Dim>> predicted_paths(double dt) const;
+  struct Plan {  // of a step
+    double dt, limit;
+    DeformingScene::Stride stride;  // of the structures
+    bool operator==(const Plan& other) const { return dt == other.dt && stride.size == other.stride.size; }
+  };
+  Plan next_step(double limit) const;
+  WallLaw wall_law() const;
+  std::vector<BodyPath<Dim>> present() const;
   BodyPath<Dim> path(std::size_t body, const BodyVector<Dim>& mean, double dt) const;
   BodyVector<Dim> held_velocity(std::size_t body, double dt) const;
-  Motion move_bodies(double dt);
+  Motion move(const Plan& plan);
+  void move_bodies(Motion& motion, const std::vector<BodyPath<Dim>>& predicted, const std::vector<std::vector<WallTrace<Dim>>>& traces, double dt);
+  std::string inadmissible(const Motion& motion) const;
   std::vector<WallFace<Dim>> wall_faces(std::size_t body, const std::vector<WallTrace<Dim>>& traces, const Pose<Dim>& pose) const;
   CoupledBody<Dim> coupled_body(std::size_t body, const BodyPath<Dim>& predicted, const std::vector<WallTrace<Dim>>& traces, double dt) const;
   std::vector<ContactPoint<Dim>> near_contacts(double within) const;
   double extra_rate(const Motion& motion) const;
   std::string runaway(const Motion& motion) const;
-  Motion attempt(double& dt);
-  void accept(const Motion& motion, double dt, double limit);
+  Motion attempt(Plan& plan);
+  bool step(const Motion& motion, const Plan& plan);
+  void accept(const Motion& motion, const Plan& plan);
 
   Communicator comm_;
   SimulationSetup<Dim> setup_;
@@ -141,7 +142,7 @@ class Simulation {
   std::vector<Pose<Dim>> initial_poses_;
   std::vector<BodyVector<Dim>> mean_velocity_;  // of the last step: the velocity the grids had
   std::vector<BodyLoad<Dim>> loads_;
-  std::vector<std::unique_ptr<ElasticSolver>> solids_;
+  DeformingScene deforming_;  // empty for Dim = 1
   double least_j_ = 1;
   const BodyScheme<Dim>* scheme_;
   double time_ = 0, last_step_ = 0;

@@ -108,7 +108,7 @@ class Run {
     bool cut_short = false;  // steps are no longer those of the whole run
     while (simulation_.time() < end_) {
       const double event = description_.frames > 0 ? frame_time(next_frame_) : description_.time_end;
-      if (end_ < event && !cut_short && simulation_.next_step(end_) != simulation_.next_step(event)) {
+      if (end_ < event && !cut_short && !simulation_.same_step(end_, event)) {
         cut_short = true;
         recorder.checkpoint(simulation_, next_frame_, report.totals_so_far());
       }

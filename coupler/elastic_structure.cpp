@@ -1,0 +1,45 @@
+#include "mortise/coupler/elastic_structure.hpp"
+
+#include <algorithm>
+
+namespace mortise {
+
+std::vector<Point<2>> ElasticStructure::interface_nodes() const {
+  std::vector<Point<2>> nodes;
+  for (int i = 0; i < grid().row(); ++i) nodes.push_back(grid().node(i, 0));
+  return nodes;
+}
+
+std::vector<StructureTrace> ElasticStructure::traces(double dt, double theta) {
+  std::vector<StructureTrace> traces;
+  const auto line = [theta](const Point<2>& now, const Point<2>& half) { return Point<2>(now + 2 * theta * (half - now)); };
+  for (const ElasticTrace& t : solver_.interface_traces(dt))
+    traces.push_back(theta == 0.5 ? StructureTrace{t.velocity, t.traction, t.admittance}
+                                  : StructureTrace{line(t.velocity_now, t.velocity), line(t.traction_now, t.traction), t.admittance});
+  return traces;
+}
+
+bool ElasticStructure::step(std::span<const Point<2>> traction, std::span<const Point<2>> velocity, double dt) {
+  return solver_.step({traction.begin(), traction.end()}, {velocity.begin(), velocity.end()}, dt);
+}
+
+void ElasticStructure::remember() {
+  kept_rates_ = solver_.rates();
+  kept_fields_.assign(solver_.fields().size(), {});
+  for (std::size_t g = 0; g < kept_fields_.size(); ++g)
+    for (int t = 0; t < solver_.fields()[g].tiles(); ++t) {
+      const std::span<const double> all = solver_.fields()[g].tile(t).all();
+      kept_fields_[g].insert(kept_fields_[g].end(), all.begin(), all.end());
+    }
+}
+
+void ElasticStructure::go_back() {
+  solver_.rates() = kept_rates_;
+  for (std::size_t g = 0; g < kept_fields_.size(); ++g) {
+    const double* next = kept_fields_[g].data();
+    for (int t = 0; t < solver_.fields()[g].tiles(); ++t)
+      for (double& value : solver_.fields()[g].tile(t).all()) value = *next++;
+  }
+}
+
+}  // namespace mortise
