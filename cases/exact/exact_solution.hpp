@@ -4,6 +4,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,21 @@ struct ExactMotion {
   double angular_velocity = 0;
 };
 
+/// An elastic solid at one of its material points X. Non-dimensional.
+struct ExactSolid {
+  Point<2> velocity = Point<2>::Zero();
+  Point<2> displacement = Point<2>::Zero();            // u = x − X
+  Eigen::Matrix2d stress = Eigen::Matrix2d::Zero();    // linear: σ; hyperelastic: first Piola-Kirchhoff stress P
+  Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();  // ∇u, rows: components of u
+};
+
+/// The interface at one of its material points. Non-dimensional.
+struct ExactInterface {
+  Point<2> position = Point<2>::Zero();
+  Point<2> velocity = Point<2>::Zero();  // of the material
+  double pressure = 0;                   // physical pressure of the fluid on it
+};
+
 /// The answer of one case as a function of position and time. Non-dimensional.
 template <int Dim>
 struct ExactSolution {
@@ -35,6 +51,17 @@ struct ExactSolution {
 
   /// Motion of all bodies in the order of the case, where it is known.
   virtual std::optional<std::vector<ExactMotion<Dim>>> bodies(double /*t*/) const { return std::nullopt; }
+
+  /// True where solid() answers.
+  virtual bool describes_solid() const { return false; }
+
+  /// The solid that is at the reference position X. Only where describes_solid(); else throws std::logic_error.
+  virtual ExactSolid solid(const Point<2>& /*X*/, double /*t*/) const {
+    throw std::logic_error("this exact solution does not describe a solid");
+  }
+
+  /// The material point of the deformable interface with reference position X, where it is known.
+  virtual std::optional<ExactInterface> interface_at(const Point<2>& /*X*/, double /*t*/) const { return std::nullopt; }
 
   /// The solution holds for 0 ≤ t ≤ valid_until().
   virtual double valid_until() const { return std::numeric_limits<double>::infinity(); }
