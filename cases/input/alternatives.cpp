@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <span>
 
 #include "mortise/grids/core/registry.hpp"
 
@@ -31,12 +32,30 @@ const std::vector<Choice> shapes = {
     {"slab", {"width"}, {}},
     {"half_space", {"side"}, {}},
 };
+const std::vector<Choice> solid_shapes = {
+    {"circle", {"radius"}, {"position", "angle"}},
+    {"ellipse", {"semi_axes"}, {"position", "angle"}},
+    {"stick", {"size", "fillet"}, {"position", "angle"}},
+    {"rectangle", {"size", "fillet"}, {"position", "angle"}},
+    {"polygon", {"corners", "fillet"}, {"position", "angle"}},
+    {"spline", {"points"}, {"position", "angle"}},
+    {"annulus", {"inner_radius", "outer_radius"}, {"position"}},
+    {"plate", {"low", "high"}, {"hole", "position"}},
+    {"strip", {"thickness"}, {"wall"}},
+};
+const std::vector<Choice> solid_initial_kinds = {
+    {"rest", {}, {}},
+    {"exact", {}, {}},
+    {"plane_wave", {"amplitude"}, {"position", "angle"}},
+    {"formula", {"displacement"}, {"velocity"}},
+};
 const std::vector<Choice> initial_kinds = {
     {"uniform", {"state"}, {}},
     {"shock", {"ahead"}, {"mach", "behind", "position", "angle"}},
     {"riemann", {"left", "right"}, {"position", "angle"}},
     {"vortex", {}, {"strength", "radius", "center", "velocity"}},
     {"regions", {"regions"}, {}},
+    {"exact", {}, {}},
 };
 
 /// The choice made in `table` under `selector`; nullptr if there is none or it is not known.
@@ -104,6 +123,21 @@ void check_choice(const Node& root, const std::string& path, const char* selecto
                        choice->word + "\" needs " + joined(choice->required));
 }
 
+/// The tables of an array; none if it is not there.
+std::span<Node> entries(Node& root, const char* array) {
+  Node* node = root.member(array);
+  return node && node->kind == Node::Kind::array ? std::span<Node>(node->items) : std::span<Node>();
+}
+
+void check_solid_choices(const Node& root) {
+  const Node* solids = root.member("solids");
+  for (std::size_t k = 0; solids && k < solids->items.size(); ++k) {
+    const std::string path = "solids." + std::to_string(k);
+    check_choice(root, path, "shape", solid_shapes);
+    if (solids->items[k].member("initial")) check_choice(root, path + ".initial", "kind", solid_initial_kinds);
+  }
+}
+
 }  // namespace
 
 void drop_superseded(Node& root) {
@@ -111,9 +145,11 @@ void drop_superseded(Node& root) {
     drop_other_choices(*initial, "kind", initial_kinds);
     drop_other_ways(*initial, {"mach"}, {"behind"});
   }
-  Node* bodies = root.member("bodies");
-  if (!bodies || bodies->kind != Node::Kind::array) return;
-  for (Node& body : bodies->items) {
+  for (Node& solid : entries(root, "solids")) {
+    drop_other_choices(solid, "shape", solid_shapes);
+    if (Node* initial = solid.member("initial")) drop_other_choices(*initial, "kind", solid_initial_kinds);
+  }
+  for (Node& body : entries(root, "bodies")) {
     drop_other_choices(body, "shape", shapes);
     drop_other_ways(body, {"density"}, {"mass", "inertia"});
     drop_forces_along_motion(body);
@@ -130,6 +166,7 @@ void check_alternatives(const Node& root) {
       reject(root, "initial",
              "the key \"initial.mach\" is missing: the Mach number of the shock, > 1 (or initial.behind)");
   }
+  check_solid_choices(root);
   const Node* bodies = root.member("bodies");
   for (std::size_t k = 0; bodies && k < bodies->items.size(); ++k) {
     const std::string path = "bodies." + std::to_string(k);

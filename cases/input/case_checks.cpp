@@ -6,12 +6,17 @@
 #include <numbers>
 #include <string_view>
 
+#include "mortise/cases/input/options.hpp"
+#include "mortise/cases/input/solid_checks.hpp"
 #include "mortise/grids/core/registry.hpp"
 
 namespace mortise {
 namespace {
 
+bool has_background(const CaseDescription& c) { return c.has_gas && !c.layered(); }
+
 void check_grid(const Node& root, const CaseDescription& c) {
+  if (!root.find("grid.low")) return;
   for (std::size_t d = 0; d < static_cast<std::size_t>(c.dimension); ++d) {
     const double length = c.domain_high[d] - c.domain_low[d];
     const std::string along = d == 0 ? "x" : "y";
@@ -42,6 +47,9 @@ void check_boundaries(const Node& root, const CaseDescription& c) {
                c.top + "\"");
   if (c.has_inflow && c.inflow[0] == 0)
     reject(root, "boundaries", "the key \"boundaries.inflow\" is missing: the state of the gas at inflow sides");
+  if (c.layered() && !c.solids.empty() && c.solids[0].annulus())
+    for (const char* side : {"boundaries.left", "boundaries.right"})
+      if (root.find(side)) reject(root, side, std::string(side) + " is not there: the gas is a ring");
   for (const auto& [side, kind] : {std::pair{"left", c.left}, {"right", c.right}, {"bottom", c.bottom}, {"top", c.top}})
     if (kind == "exact" && c.exact.empty())
       reject(root, std::string("boundaries.") + side,
@@ -73,6 +81,8 @@ void check_initial(const Node& root, const CaseDescription& c) {
   if (c.dimension == 1 && root.find("initial.angle")) reject(root, "initial.angle", "initial.angle is not there in 1D");
   if (c.dimension == 1 && c.initial.kind == "vortex")
     reject(root, "initial.kind", "initial.kind = \"vortex\" is not there in 1D");
+  if (c.initial.kind == "exact" && c.exact.empty())
+    reject(root, "initial.kind", "initial.kind = \"exact\" needs an exact solution: the key \"exact\" is missing");
   check_regions(root, c);
   const double b = c.initial.strength;
   const double coldest =
@@ -89,13 +99,22 @@ void check_exact(const Node& root, const CaseDescription& c) {
     std::vector<std::string> kinds;  // initial kinds; empty: any
     int dimension;                   // 0: any
     bool one_body;
+    std::vector<std::string> solid = {};  // shapes of its one elastic solid; empty: any scene
   };
   const Need needs[] = {{"riemann", {"riemann", "shock"}, 0, false},
                         {"vortex", {"vortex"}, 2, false},
                         {"uniform", {"uniform"}, 0, false},
                         {"rigid_piston", {}, 1, true},
                         {"shock_on_massless_body", {"shock"}, 1, true},
-                        {"weak_shock_on_free_cylinder", {"shock"}, 2, true}};
+                        {"weak_shock_on_free_cylinder", {"shock"}, 2, true},
+                        {"elastic_piston", {"uniform"}, 0, false, {"strip"}},
+                        {"elastic_piston_shock", {"shock"}, 0, false, {"strip"}},
+                        {"superseismic_shock", {}, 2, false, {"strip"}},
+                        {"deforming_diffuser", {}, 2, false, {"strip"}},
+                        {"radial_reference", {"uniform"}, 2, false, {"annulus", "circle"}},
+                        {"plane_waves", {}, 2, false, {"plate"}},
+                        {"annulus_modes", {}, 2, false, {"annulus"}},
+                        {"rayleigh_wave", {}, 2, false, {"plate"}}};
   for (const Need& need : needs) {
     if (c.exact != need.key) continue;
     const std::string exact = "exact = \"" + c.exact + "\" needs ";
@@ -105,6 +124,9 @@ void check_exact(const Node& root, const CaseDescription& c) {
       reject(root, "exact", exact + "dimension = " + std::to_string(need.dimension));
     if (need.one_body && c.bodies.size() != 1)
       reject(root, "exact", exact + "one body, not " + std::to_string(c.bodies.size()));
+    if (!need.solid.empty() && (c.solids.size() != 1 ||
+                                std::find(need.solid.begin(), need.solid.end(), c.solids[0].shape) == need.solid.end()))
+      reject(root, "exact", exact + "one elastic solid with shape = " + joined(need.solid));
   }
 }
 
@@ -114,36 +136,83 @@ bool inside(const std::array<double, 2>& x, const CaseDescription& c) {
   return true;
 }
 
+/// Something with a name, and the path of its table.
+struct Named {
+  std::string path, name;
+};
+
 /// Names become columns, blocks and files.
-void check_names(const Node& root, const std::string& array, const std::vector<std::string>& names) {
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    const std::string path = array + "." + std::to_string(k) + ".name";
-    const bool plain = std::all_of(names[k].begin(), names[k].end(), [](char c) {
+void check_names(const Node& root, const std::vector<Named>& all) {
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const std::string &name = all[k].name, path = all[k].path + ".name";
+    const bool plain = std::all_of(name.begin(), name.end(), [](char c) {
       return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
     });
-    if (!plain || names[k].empty())
-      reject(root, path, path + " = \"" + names[k] + "\" is not allowed: use letters, digits, _ and -");
-    if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(k), names[k]) !=
-        names.begin() + static_cast<std::ptrdiff_t>(k))
-      reject(root, path, path + " = \"" + names[k] + "\" is the name of another one, too");
+    if (!plain || name.empty())
+      reject(root, path, path + " = \"" + name + "\" is not allowed: use letters, digits, _ and -");
+    if (std::any_of(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(k),
+                    [&](const Named& other) { return other.name == name; }))
+      reject(root, path, path + " = \"" + name + "\" is the name of another one, too");
   }
 }
 
+void check_place(const Node& root, const CaseDescription& c, const std::string& path, const std::array<double, 2>& x) {
+  if (!inside(x, c)) reject(root, path + ".position", path + ".position is outside the domain");
+}
+
 void check_places(const Node& root, const CaseDescription& c) {
-  std::vector<std::string> names;
+  std::vector<Named> structures, probes;
   for (std::size_t k = 0; k < c.bodies.size(); ++k) {
-    names.push_back(c.bodies[k].name);
-    const std::string path = "bodies." + std::to_string(k) + ".position";
-    if (!inside(c.bodies[k].position, c)) reject(root, path, path + " is outside the domain");
+    structures.push_back({"bodies." + std::to_string(k), c.bodies[k].name});
+    check_place(root, c, structures.back().path, c.bodies[k].position);
   }
-  check_names(root, "bodies", names);
-  names.clear();
+  bool background_is_all = has_background(c);
+  for (std::size_t k = 0; k < c.solids.size(); ++k) {
+    structures.push_back({"solids." + std::to_string(k), c.solids[k].name});
+    background_is_all = background_is_all && c.solids[k].immersed();
+    if (has_background(c)) check_place(root, c, structures.back().path, c.solids[k].position);
+  }
   for (std::size_t k = 0; k < c.probes.size(); ++k) {
-    names.push_back(c.probes[k].name);
-    const std::string path = "probes." + std::to_string(k) + ".position";
-    if (!inside(c.probes[k].position, c)) reject(root, path, path + " is outside the domain");
+    probes.push_back({"probes." + std::to_string(k), c.probes[k].name});
+    if (background_is_all) check_place(root, c, probes.back().path, c.probes[k].position);
   }
-  check_names(root, "probes", names);
+  check_names(root, structures);
+  check_names(root, probes);
+}
+
+/// Keys that only some scenes need.
+void check_required(const Node& root, const CaseDescription& c) {
+  const auto need = [&](const std::string& table, const std::string& key, const char* allowed) {
+    if (!root.find(table + "." + key))
+      reject(root, table, "the key \"" + table + "." + key + "\" is missing: " + allowed);
+  };
+  if (!c.has_gas) return;
+  const bool ring = c.layered() && !c.solids.empty() && c.solids[0].annulus();
+  if (!ring) need("grid", "low", "the corner of the domain with the smallest coordinates");
+  if (!ring) need("grid", "high", "the corner of the domain with the largest coordinates");
+  need("initial", "kind", "how the gas is at t = 0: uniform, shock, riemann, vortex, regions or exact");
+}
+
+void check_scheme(const Node& root, const CaseDescription& c) {
+  const auto wet = std::find_if(c.solids.begin(), c.solids.end(), [](const auto& b) { return b.wet(); });
+  const bool interfaces = wet != c.solids.end();
+  const std::string scheme = "scheme = \"" + c.scheme + "\"";
+  const auto known = [&](const std::vector<std::string>& schemes) {
+    return std::find(schemes.begin(), schemes.end(), c.scheme) != schemes.end();
+  };
+  if (interfaces && !known(options::interface_schemes))
+    reject(root, "scheme",
+           scheme + " leaves the interface of solids." + std::to_string(wet - c.solids.begin()) + " (" + wet->name +
+               ") without a scheme: use " + joined(options::interface_schemes));
+  if (interfaces) return;
+  if (c.scheme == "none" && !c.bodies.empty())
+    reject(root, "scheme", scheme + " cannot move bodies: use rigid or traditional");
+  if (c.scheme != "none" && c.bodies.empty() && known(options::body_schemes))
+    reject(root, "scheme", scheme + " needs bodies and the case has none: use none, or omit the scheme");
+  if (c.scheme != "none" && !known(options::body_schemes))
+    reject(root, "scheme",
+           scheme + " needs an elastic solid in gas and the case has none: " +
+               (c.bodies.empty() ? "use none, or omit the scheme" : "use rigid or traditional"));
 }
 
 }  // namespace
@@ -159,13 +228,15 @@ std::array<double, 4> gas_behind_shock(const std::array<double, 4>& ahead, doubl
 void complete_case(const Node& root, CaseDescription& c) {
   if (c.title.empty()) c.title = c.name;
   if (c.output.empty()) c.output = "output/" + c.name;
-  if (c.bodies.empty() && !root.find("scheme")) c.scheme = "none";
   InitialDescription& i = c.initial;
   if (i.kind == "uniform") i.left = i.right = i.state;
   if (i.kind == "shock" && i.mach > 0) {
     const double radians = i.angle * std::numbers::pi / 180;
     i.left = gas_behind_shock(i.right, i.mach, {std::cos(radians), std::sin(radians)}, c.gamma, c.p_inf);
   }
+  complete_solids(root, c);
+  const bool interfaces = std::any_of(c.solids.begin(), c.solids.end(), [](const auto& b) { return b.wet(); });
+  if (!root.find("scheme")) c.scheme = interfaces ? "projection" : c.bodies.empty() ? "none" : "rigid";
   c.has_inflow = c.left == "inflow" || c.right == "inflow" || c.bottom == "inflow" || c.top == "inflow";
   if (!root.find("boundaries.inflow") && (i.kind == "uniform" || i.kind == "shock")) c.inflow = i.left;
   for (std::size_t k = 0; k < c.bodies.size(); ++k) {
@@ -179,17 +250,15 @@ void complete_case(const Node& root, CaseDescription& c) {
 }
 
 void check_case(const Node& root, const CaseDescription& c) {
+  check_required(root, c);
   check_grid(root, c);
   check_boundaries(root, c);
   check_initial(root, c);
   check_exact(root, c);
+  check_scheme(root, c);
   for (std::size_t k = 0; k < c.bodies.size(); ++k) check_body(root, c, k);
+  check_solids(root, c);
   check_places(root, c);
-  if (c.scheme == "none" && !c.bodies.empty())
-    reject(root, "scheme", "scheme = \"none\" cannot move bodies: use rigid or traditional");
-  if (c.scheme != "none" && c.bodies.empty())
-    reject(root, "scheme",
-           "scheme = \"" + c.scheme + "\" needs bodies and the case has none: use none, or omit the scheme");
 }
 
 }  // namespace mortise

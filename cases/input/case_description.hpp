@@ -6,19 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "mortise/cases/input/solid_description.hpp"
+
 namespace mortise {
 
 /// One rigid body. Lengths non-dimensional, angles in degrees in case files (radians in all output).
-struct BodyDescription {
-  std::string place;                  // file:line:column of its table
-  std::string name;                   // default: <shape>_<index>, e.g. "stick_0"
-  std::string shape;                  // circle, ellipse, stick, rectangle, polygon, spline (2D); slab, half_space (1D)
-  double radius = 0;                  // circle
-  std::array<double, 2> semi_axes{};  // ellipse: along x and y at angle 0
-  std::array<double, 2> size{};       // stick, rectangle: width (x) and height (y) at angle 0
-  double fillet = 0;                  // stick, rectangle, polygon: corner radius
-  std::vector<std::array<double, 2>> corners;  // polygon, about the body's own origin
-  std::string points;                   // spline: file of points; found beside the case file, here with its folder
+struct BodyDescription : ShapeDescription {
+  std::string place;                    // file:line:column of its table
+  std::string name;                     // default: <shape>_<index>, e.g. "stick_0"
   double width = 0;                     // slab
   std::string side;                     // half_space: "left" or "right": where the solid is
   std::array<double, 2> position{};     // of the centre of mass at t = 0; half_space: of its surface
@@ -43,7 +38,7 @@ struct RegionDescription {
 };
 
 struct InitialDescription {
-  std::string kind;  // uniform, shock, riemann, vortex, regions
+  std::string kind;  // uniform, shock, riemann, vortex, regions, exact (the exact solution at t = 0)
   // (ρ, u, v, p). uniform: state (left and right are equal to it); riemann: left and right of the diaphragm; shock: it
   // runs along n from left (the gas behind it, computed from mach by Rankine-Hugoniot unless given) into right (the gas
   // ahead).
@@ -57,6 +52,15 @@ struct InitialDescription {
   std::vector<RegionDescription> regions;
 };
 
+/// Gas between an interface and a fixed far curve, on one grid that deforms with the interface. Beside a strip: in the
+/// frame of the wall, whose normal into the gas is at `angle`; around or in an annulus: a ring.
+struct LayerDescription {
+  double angle = 0;                           // degrees from +x
+  double along_low = 0, along_high = 0;       // extent along the wall, on the right of the normal
+  double height = 0;                          // of the gas along the normal
+  double inner_radius = 0, outer_radius = 0;  // of the ring of gas
+};
+
 struct ProbeDescription {
   std::string name;
   std::array<double, 2> position{};
@@ -65,12 +69,15 @@ struct ProbeDescription {
 struct CaseDescription {
   std::string path, folder, name, text;  // file read, its folder, case name, the text with overrides appended
   std::string title, reference;
-  std::string scheme = "rigid";  // rigid, traditional; none without bodies
+  std::string scheme = "rigid";  // of bodies: rigid, traditional; of interfaces: projection, traditional, …; none
   int dimension = 2;             // 1 or 2; in 1D only entry 0 of vectors and (ρ, u, 0, p) of states count
 
-  std::array<double, 2> domain_low{}, domain_high{};
+  std::array<double, 2> domain_low{}, domain_high{};  // of the gas's background; without one: of all there is
+  std::string grid_kind = "overlapping";  // overlapping; layer: gas on one deforming grid (LayerDescription)
+  LayerDescription layer;
   double grid_factor = 0;  // h = 1/(10 factor)
   double spacing() const { return 0.1 / grid_factor; }
+  bool layered() const { return grid_kind == "layer"; }
   std::array<int, 2> tile{};  // cells of a background tile; 0: chosen
 
   double time_end = 0;
@@ -90,6 +97,11 @@ struct CaseDescription {
   std::string exact;  // key of the exact solution; empty: none
 
   std::vector<BodyDescription> bodies;
+  std::vector<SolidDescription> solids;
+  SolidOptionsDescription solid;
+  CouplingDescription coupling;
+  bool has_gas = true;  // false: elastic solids alone
+
   std::array<double, 2> gravity{};
   double restitution = 1;  // of contacts: 1 elastic, 0 plastic
   bool contact = true;

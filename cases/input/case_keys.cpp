@@ -1,6 +1,7 @@
 #include "mortise/cases/input/case_keys.hpp"
 
 #include "mortise/cases/input/options.hpp"
+#include "mortise/cases/input/solid_keys.hpp"
 
 namespace mortise {
 namespace {
@@ -9,12 +10,13 @@ const std::vector<std::string> time_only = {"t"}, place_only = {"x", "y"};
 
 void visit_grid(Section& s, CaseDescription& c) {
   s.require("factor", "a number > 0; the cells have size 1/(10 factor)");
-  s.require("low", "the corner of the domain with the smallest coordinates");
-  s.require("high", "the corner of the domain with the largest coordinates");
   s.number("factor", c.grid_factor, positive, "resolution: cells have size h = 1/(10 factor)");
-  s.vector("low", c.domain_low, any_number, "corner of the domain with the smallest coordinates");
-  s.vector("high", c.domain_high, any_number, "corner of the domain with the largest coordinates");
+  s.vector("low", c.domain_low, any_number,
+           "corner of the domain with the smallest coordinates; required where there is gas. A layer beside a strip: "
+           "along the wall and along its normal, the latter 0");
+  s.vector("high", c.domain_high, any_number, "corner of the domain with the largest coordinates, likewise");
   s.integers("tile", c.tile, {.low = 2, .high = 4096}, "cells of a background tile, even");
+  visit_layer(s, c);
 }
 
 void visit_time(Section& s, CaseDescription& c) {
@@ -53,8 +55,7 @@ void visit_region(Section& s, RegionDescription& r) {
 
 void visit_initial(Section& s, CaseDescription& c) {
   InitialDescription& i = c.initial;
-  s.require("kind", "how the gas is at t = 0: uniform, shock, riemann, vortex or regions");
-  s.choice("kind", i.kind, options::initial_kinds, "how the gas is at t = 0");
+  s.choice("kind", i.kind, options::initial_kinds, "how the gas is at t = 0; required where there is gas");
   s.state("state", i.state, c.p_inf, "uniform: the gas");
   s.state("ahead", i.right, c.p_inf, "shock: gas ahead of the shock");
   s.number("mach", i.mach, {.low = 1, .low_open = true}, "shock: its Mach number relative to the gas ahead");
@@ -70,22 +71,17 @@ void visit_initial(Section& s, CaseDescription& c) {
   s.tables("regions", [&](Section& region, std::size_t) { visit_region(region, i.regions.emplace_back()); });
 }
 
-void visit_shape(Section& s, BodyDescription& b) {
+void visit_body_shape(Section& s, BodyDescription& b) {
   s.require("shape", "circle, ellipse, stick, rectangle, polygon or spline in 2D, slab or half_space in 1D");
   s.choice("shape", b.shape, options::shapes, "shape of the body");
-  s.number("radius", b.radius, positive, "circle: radius");
-  s.vector("semi_axes", b.semi_axes, positive, "ellipse: semi-axes along x and y at angle 0");
-  s.vector("size", b.size, positive, "stick, rectangle: width and height at angle 0");
-  s.number("fillet", b.fillet, positive, "stick, rectangle, polygon: radius of the rounded corners");
-  s.points("corners", b.corners, "polygon: corners relative to the body's own origin");
-  s.text("points", b.points, "spline: file of points, one \"x y\" a line, beside the case file");
+  visit_outline(s, b);
   s.number("width", b.width, positive, "slab: width");
   s.choice("side", b.side, options::sides, "half_space: side of its surface on which the solid is");
 }
 
 void visit_body(Section& s, BodyDescription& b) {
   s.text("name", b.name, "name in all output; default: <shape>_<index>");
-  visit_shape(s, b);
+  visit_body_shape(s, b);
   s.vector("position", b.position, any_number, "centre of mass at t = 0; half_space: its surface");
   s.number("angle", b.angle, any_number, "angle at t = 0 in degrees; not in 1D");
   s.vector("velocity", b.velocity, any_number, "velocity at t = 0");
@@ -123,7 +119,9 @@ void visit_output(Section& s, CaseDescription& c) {
 void visit_case(Section& s, CaseDescription& c) {
   s.text("title", c.title, "what the case shows, in one line");
   s.text("reference", c.reference, "where the case and its numbers are from");
-  s.choice("scheme", c.scheme, options::schemes, "coupling scheme; omitted: rigid with bodies, none without");
+  s.choice(
+      "scheme", c.scheme, options::schemes,
+      "coupling scheme; omitted: projection with elastic solids in gas, rigid with rigid bodies, none without either");
   s.integer("dimension", c.dimension, {.low = 1, .high = 2}, "1 or 2");
   s.set_dimension(c.dimension);
   s.choice("exact", c.exact, options::exact_solutions, "exact solution to compare with; omitted: none");
@@ -136,6 +134,9 @@ void visit_case(Section& s, CaseDescription& c) {
   s.table("boundaries", [&](Section& t) { visit_boundaries(t, c); });
   s.table("initial", [&](Section& t) { visit_initial(t, c); });
   s.tables("bodies", [&](Section& t, std::size_t) { visit_body(t, c.bodies.emplace_back()); });
+  s.tables("solids", [&](Section& t, std::size_t) { visit_solid(t, c.solids.emplace_back()); });
+  s.table("solid", [&](Section& t) { visit_solid_options(t, c.solid); });
+  s.table("coupling", [&](Section& t) { visit_coupling(t, c.coupling); });
   s.table("contact", [&](Section& t) {
     t.boolean("enabled", c.contact, "bodies bounce off each other and off walls");
     t.number("restitution", c.restitution, {.low = 0, .high = 1}, "1: elastic, 0: plastic");
