@@ -52,6 +52,12 @@ const ColorMap& diverging_map() {
   return map;
 }
 
+const ColorMap& stress_map() {
+  static const ColorMap map =
+      tabulated([](double s) { return from_oklch(0.95 - 0.58 * s, 0.06 + 0.36 * s * (1 - 0.78 * s), 92 - 68 * s); });
+  return map;
+}
+
 const ColorMap& grey_map() {
   static const ColorMap map = tabulated([](double s) {
     const auto grey = static_cast<std::uint8_t>(std::lround(255 * s));

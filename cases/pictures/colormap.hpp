@@ -14,6 +14,8 @@ using ColorMap = std::array<Rgb, 256>;
 const ColorMap& sequential_map();
 /// Blue over near-white to red, symmetric in lightness; for values of both signs.
 const ColorMap& diverging_map();
+/// Pale yellow over orange to dark red: for solids beside a fluid in other colours.
+const ColorMap& stress_map();
 /// Black to white.
 const ColorMap& grey_map();
 

@@ -10,6 +10,7 @@ namespace {
 constexpr Rgb background_ink{112, 126, 145};
 constexpr std::array<Rgb, 5> body_inks{Rgb{196, 62, 40}, Rgb{20, 120, 96}, Rgb{120, 60, 160}, Rgb{190, 120, 10},
                                        Rgb{30, 90, 180}};
+constexpr Rgb solid_ground{255, 236, 204};
 
 Rgb ink_of(std::size_t grid) { return grid == 0 ? background_ink : body_inks[(grid - 1) % body_inks.size()]; }
 
@@ -58,7 +59,8 @@ void draw_grids(Image& image, const Axes& axes, const Snapshot& snapshot, double
     const Mesh mesh(snapshot.grids[g], axes);
     const Rgb strong = ink_of(g), faint = blend(white, strong, 0.6);
     mesh.fill(image, mask_fringe, blend(white, strong, 0.18), 0.7);
-    if (g > 0) mesh.fill(image, mask_active, white, 0.7);  // the grid below shines through
+    const Rgb ground = snapshot.grids[g].solid ? solid_ground : white;
+    if (g > 0 || snapshot.grids[g].solid) mesh.fill(image, mask_active, ground, 0.7);  // the grid below shines through
     mesh.draw_edges(image, mask_fringe, pen, faint);
     mesh.draw_edges(image, mask_active, pen, strong);
   }

@@ -6,13 +6,16 @@
 
 namespace mortise {
 
-/// Colours of the field within the axes, and the colour bar to the right of them (none for schlieren).
+/// Colours of the field within the axes, and the colour bars to the right of them: of the field (none for schlieren)
+/// and of the stress in solids that do not have it.
 void draw_field(Image& image, const Axes& axes, const Snapshot& snapshot, const RenderOptions& options, double unit);
 
-/// Cell edges: active cells in the colour of their grid, fringe cells lighter and tinted, holes left empty.
+/// Cell edges: active cells in the colour of their grid, fringe cells lighter and tinted, holes left empty. Solids are
+/// tinted.
 void draw_grids(Image& image, const Axes& axes, const Snapshot& snapshot, double unit);
 
-/// Density, velocity and pressure over x, one panel below the other; bodies are shaded.
+/// Density, velocity, pressure and −σ_nn over x or, for strips, along their middle, one panel below the other; bodies
+/// and solids are shaded.
 Image plot_lines(const Snapshot& snapshot, const RenderOptions& options, double unit);
 
 /// Title on the left and time on the right, on the line above the axes.

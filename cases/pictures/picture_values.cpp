@@ -87,13 +87,13 @@ std::optional<std::vector<double>> values_on(const GridSnapshot& grid, const std
     for (std::size_t c = 0; c < speed.size(); ++c) speed[c] = std::hypot((*u)[c], v ? (*v)[c] : 0.0);
     return speed;
   }
-  const auto* source = grid.field(field == "schlieren" ? "density" : field);
+  const auto* source = grid.field(field == "schlieren" ? "density" : field == "stress" ? "von_mises" : field);
   if (!source) return {};
   return field == "schlieren" ? schlieren(grid, *source) : *source;
 }
 
 [[noreturn]] void refuse(const Snapshot& snapshot, const std::string& field) {
-  std::vector<std::string> known{"schlieren", "velocity", "grids"};
+  std::vector<std::string> known{"schlieren", "velocity", "stress", "grids"};
   for (const GridSnapshot& grid : snapshot.grids)
     for (const auto& [name, values] : grid.fields)
       if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
@@ -104,6 +104,10 @@ std::optional<std::vector<double>> values_on(const GridSnapshot& grid, const std
 }
 
 }  // namespace
+
+bool has_solids(const Snapshot& snapshot) {
+  return std::any_of(snapshot.grids.begin(), snapshot.grids.end(), [](const GridSnapshot& grid) { return grid.solid; });
+}
 
 bool closed_along(const GridSnapshot& grid) {
   const int n = grid.cells[0];
@@ -142,7 +146,8 @@ std::array<double, 2> value_range(const Snapshot& snapshot, const PictureValues&
     return {0, *rank};
   }
   const auto [low, high] = std::minmax_element(active.begin(), active.end());
-  const bool flat = *high - *low < 1e-13 * std::max(std::fabs(*low), std::fabs(*high));  // round-off is not worth colours
+  const bool flat =
+      *high - *low < 1e-13 * std::max(std::fabs(*low), std::fabs(*high));  // round-off is not worth colours
   return {*low, flat ? *low : *high};
 }
 

@@ -4,17 +4,26 @@
 #include <cmath>
 
 #include "mortise/cases/pictures/picture_kinds.hpp"
+#include "mortise/cases/pictures/picture_values.hpp"
 
 namespace mortise {
 namespace {
 
 constexpr double tallest = 1.25;  // height of the axes over their widest width
 
+/// All of the first grid of a fluid and the active cells of the others.
 Box<2> shown(const Snapshot& snapshot, const Box<2>& window) {
   if ((window.low.array() < window.high.array()).all() || snapshot.grids.empty()) return window;
   Box<2> box;
-  const GridSnapshot& grid = snapshot.grids.front();
-  for (std::size_t k = 0; k < grid.x.size(); ++k) box.include({grid.x[k], grid.y[k]});
+  for (const GridSnapshot& grid : snapshot.grids) {
+    const bool all = &grid == &snapshot.grids.front() && !grid.solid;
+    for (int j = 0; j < grid.cells[1]; ++j)
+      for (int i = 0; i < grid.cells[0]; ++i)
+        if (all || grid.mask[grid.cell(i, j)] == mask_active)
+          for (const std::size_t k :
+               {grid.node(i, j), grid.node(i + 1, j), grid.node(i, j + 1), grid.node(i + 1, j + 1)})
+            box.include({grid.x[k], grid.y[k]});
+  }
   return box;
 }
 
@@ -37,6 +46,27 @@ void draw_bodies(Image& image, const Axes& axes, const Snapshot& snapshot, doubl
   }
 }
 
+/// Where the solids end: the edges of active cells at the edge of their grid. Where a grid is closed or continued by
+/// another one there is no such edge.
+void draw_solid_edges(Image& image, const Axes& axes, const Snapshot& snapshot, double unit) {
+  for (const GridSnapshot& grid : snapshot.grids) {
+    if (!grid.solid) continue;
+    const int n = grid.cells[0], m = grid.cells[1];
+    const auto draw = [&](int i, int j, std::size_t from, std::size_t to) {
+      if (grid.mask[grid.cell(i, j)] != mask_active) return;
+      image.draw_polyline(axes.pixels({{grid.x[from], grid.y[from]}, {grid.x[to], grid.y[to]}}), 1.8 * unit, ink::edge);
+    };
+    for (int i = 0; i < n; ++i) {
+      draw(i, 0, grid.node(i, 0), grid.node(i + 1, 0));
+      draw(i, m - 1, grid.node(i, m), grid.node(i + 1, m));
+    }
+    for (int j = 0; j < m && !closed_along(grid); ++j) {
+      draw(0, j, grid.node(0, j), grid.node(0, j + 1));
+      draw(n - 1, j, grid.node(n, j), grid.node(n, j + 1));
+    }
+  }
+}
+
 }  // namespace
 
 void draw_title(Image& image, const Axes& axes, const std::string& title, double time, double unit) {
@@ -50,7 +80,8 @@ Image render(const Snapshot& snapshot, const RenderOptions& options) {
   const double unit = width / 1200.0;
   if (!snapshot.grids.empty() && snapshot.grids.front().dimension == 1) return plot_lines(snapshot, options, unit);
   const bool grids = options.field == "grids";
-  const Axes axes = placed(shown(snapshot, options.window), width, unit, !grids && options.field != "schlieren");
+  const bool bar = !grids && (options.field != "schlieren" || has_solids(snapshot));
+  const Axes axes = placed(shown(snapshot, options.window), width, unit, bar);
   Image image(width, (axes.y1 + static_cast<int>(std::lround(42 * unit)) + 1) / 2 * 2);
   image.clip_to(axes.x0, axes.y0, axes.x1, axes.y1);
   if (grids)
@@ -59,6 +90,7 @@ Image render(const Snapshot& snapshot, const RenderOptions& options) {
     draw_field(image, axes, snapshot, options, unit);
   image.clip_to(axes.x0, axes.y0, axes.x1, axes.y1);
   draw_bodies(image, axes, snapshot, unit);
+  draw_solid_edges(image, axes, snapshot, unit);
   image.clip_to_all();
   draw_axes(image, axes, unit);
   draw_title(image, axes, options.title.empty() ? options.field : options.title + "   " + options.field, snapshot.time,

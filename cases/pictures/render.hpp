@@ -1,4 +1,5 @@
-// Pictures of a snapshot: a field with the bodies in it, the grids themselves, or, in one dimension, curves.
+// Pictures of a snapshot: a field with the bodies and the stresses of elastic solids in it, the grids themselves, or,
+// in one dimension, curves.
 #pragma once
 
 #include <array>
@@ -11,11 +12,12 @@
 namespace mortise {
 
 struct RenderOptions {
-  /// schlieren (from "density"), velocity (|u| from "velocity_x", "velocity_y"), grids, or the name of a cell field:
-  /// pressure, density, mach, … One-dimensional snapshots show density, velocity and pressure whatever the field.
+  /// schlieren (from "density"), velocity (|u| from "velocity_x", "velocity_y"), stress (from "von_mises"), grids, or
+  /// the name of a cell field: pressure, density, mach, … Elastic solids show their stress where they have no such
+  /// field. One-dimensional snapshots show density, velocity, pressure and normal stress whatever the field.
   std::string field = "schlieren";
   int width = 1200;                            // pixels; lettering scales with it
-  Box<2> window{};                             // what to show; empty: the first grid
+  Box<2> window{};                             // what to show; empty: the fluid's first grid and all solids
   std::optional<std::array<double, 2>> range;  // values at the ends of the colour map; none: of this snapshot
   std::string title;                           // above the picture, before the field's name
 };

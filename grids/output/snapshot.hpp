@@ -20,7 +20,8 @@ enum CellMask : std::uint8_t { mask_active = 0, mask_fringe = 1, mask_hole = 2 }
 struct GridSnapshot {
   std::string name;
   Index<2> cells{};                                                 // {n, 1} for a 1D grid
-  int dimension = 2;                                                // 1 or 2
+  int dimension = 2;                                                // 1: a line or a strip a few cells wide; 2
+  bool solid = false;                                               // of an elastic solid, otherwise of a fluid
   std::vector<double> x, y;                                         // node coordinates, non-dimensional
   std::vector<std::uint8_t> mask;                                   // per cell: 0 active, 1 fringe, 2 hole
   std::vector<std::pair<std::string, std::vector<double>>> fields;  // per cell: "density", "velocity_x", …
@@ -43,12 +44,12 @@ struct GridSnapshot {
   }
 };
 
-/// All grids at one instant, background first.
+/// All grids at one instant: those of the fluid, background first, then those of the solids.
 struct Snapshot {
   double time = 0;
   int step = 0;
   std::vector<GridSnapshot> grids;
-  std::vector<std::vector<Point<2>>> outlines;  // current body outlines, closed polygons; 1D: the two ends (x, 0)
+  std::vector<std::vector<Point<2>>> outlines;  // of rigid bodies now, closed polygons; 1D: the two ends (x, 0)
 };
 
 /// A 1D grid as a single row of cells: nodes at y = 0 and again at y = h, the mean cell width.

@@ -109,6 +109,7 @@ void write_grid(HDF5File& file, const std::string& at, const GridSnapshot& grid)
   file.write_texts(at + "field_names", names);
   const std::vector<std::int64_t> dimension{grid.dimension};
   file.write(at + "dimension", dimension, {1});
+  file.write(at + "solid", std::vector<std::int64_t>{grid.solid ? 1 : 0}, {1});
 }
 
 void write_fields(const std::string& path, const Snapshot& snapshot) {
@@ -140,6 +141,7 @@ Snapshot read_frame(const HDF5File& file) {
     const HDF5File::Shape shape = file.shape(at + "mask");
     grid.cells = {static_cast<int>(shape.at(1)), static_cast<int>(shape.at(0))};
     grid.dimension = static_cast<int>(file.read_integers(at + "dimension").at(0));
+    grid.solid = file.has(at + "solid") && file.read_integers(at + "solid").at(0) != 0;
     for (const std::string& key : file.read_texts(at + "field_names")) grid.fields.push_back({key, {}});
     snapshot.grids.push_back(std::move(grid));
   }

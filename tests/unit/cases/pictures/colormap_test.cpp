@@ -37,8 +37,18 @@ TEST(ColorMap, DivergingIsNeutralAndLightestInTheMiddle) {
   }
 }
 
+TEST(ColorMap, StressDarkensEvenlyFromPaleToRed) {
+  const ColorMap& map = stress_map();
+  EXPECT_GT(lightness(map.front()), 90);
+  EXPECT_GT(map.back().red, map.back().blue + 80);
+  for (std::size_t k = 16; k < map.size(); k += 16) {
+    EXPECT_GT(lightness(map[k - 16]) - lightness(map[k]), 2.5) << k;
+    EXPECT_LT(lightness(map[k - 16]) - lightness(map[k]), 6) << k;
+  }
+}
+
 TEST(ColorMap, NoJumpsAndNoClippedEnds) {
-  for (const ColorMap* map : {&sequential_map(), &diverging_map(), &grey_map()})
+  for (const ColorMap* map : {&sequential_map(), &diverging_map(), &stress_map(), &grey_map()})
     for (std::size_t k = 1; k < map->size(); ++k) {
       const Rgb a = (*map)[k - 1], b = (*map)[k];
       const int change = std::abs(a.red - b.red) + std::abs(a.green - b.green) + std::abs(a.blue - b.blue);
