@@ -123,6 +123,8 @@ class BodyAtlas {
   /// The stencil's middle is the cell with the nearest centre; to third order, round(ξ) may name its neighbour.
   bool locate(const Point<2>& X, StencilPoint& where) const;
   bool locate(const Point<2>& X, Point<2>& logical) const;
+  /// The same for the stencil where.center, which need not be the nearest, beginning at where.offset.
+  bool locate_on(const Point<2>& X, StencilPoint& where) const { return solve(X, where); }
 
   /// As locate(); but a point that is beyond the innermost row by at most 3 spacings inside the body is given the
   /// coordinates of the nearest point of the curve η = 0 through the first row's centres. For tight gaps.

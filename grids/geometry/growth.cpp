@@ -188,7 +188,7 @@ GrownGrid grow(const Outline& outline, const GrowthOptions& options) {
   }
   if (best_quality <= 0)
     throw InputError(
-        "a grid of " + std::to_string(options.layers) + " layers of thickness " + std::to_string(options.spacing) +
+        "a grid of " + std::to_string(options.layers) + " layers of thickness " + std::to_string(thickness) +
         " folds or meets itself on this outline: use fewer layers, a finer spacing or rounder inward corners");
   return best;
 }
