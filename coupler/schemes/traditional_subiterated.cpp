@@ -1,9 +1,10 @@
 // Traditional, sub-iterated: u → P(u) → v_I → n·v_I, u the wall's normal velocity that the fluid's faces see, repeated
 // with u ← u + ω r, r = n·v_I − u, until r = 0; Aitken's relaxation for the whole interface:
-//   ω' = −ω r·(r' − r)/|r' − r|².
-// The fixed point is the projection's answer where faces match; elsewhere it couples neighbouring fluid faces through
-// the structure's faces they share, which the projection averages. Source: Küttler & Wall, Comput. Mech. 43 (2008) 61,
-// section 3.2.
+//   ω' = −ω r·(r' − r)/|r' − r|², kept within [0.01 ω, 4 ω].
+// Without these limits a light structure and a strong wave may throw the iterates from vacuum to shock and back for
+// ever. The fixed point is the projection's answer where faces match; elsewhere it couples neighbouring fluid faces
+// through the structure's faces they share, which the projection averages. Source: Küttler & Wall, Comput. Mech. 43
+// (2008) 61, section 3.2.
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,7 @@ namespace mortise::schemes {
 namespace {
 
 constexpr double first_relaxation = 0.1;
+constexpr double least_growth = 0.01, most_growth = 4;  // of ω per iteration
 
 using Values = std::vector<double>;  // per fluid face
 
@@ -41,7 +43,8 @@ double aitken(double relaxation, const Values& before, const Values& now) {
     product += before[b] * change;
     square += change * change;
   }
-  return square > 0 ? -relaxation * product / square : relaxation;
+  if (square == 0) return relaxation;
+  return std::clamp(-relaxation * product / square, least_growth * relaxation, most_growth * relaxation);
 }
 
 /// Largest change of a velocity that the residual still asks for, r/(1 + z_f/z_e), over the fastest sound speed.
