@@ -4,9 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "mortise/fluid/cell.hpp"
 #include "mortise/fluid/godunov_step.hpp"
-#include "mortise/grids/core/error.hpp"
 #include "unit/coupler/interface_scene.hpp"
 #include "unit/coupler/wall_scene.hpp"
 
@@ -72,7 +73,6 @@ class GasLine {
       : shape_({cells}), now_(shape_.plane, 3), next_(shape_.plane, 3), h_(length / cells) {
     options_.limiter = Limiter::none;
     for (int i = -2; i < cells + 2; ++i) put(now_, shape_.at(i), to_conserved(Primitive<1>{1, {0}, 1}, ratio_of_heats));
-    next_ = now_;
   }
   double spacing() const { return h_; }
   FluidTrace trace(double wall_velocity, double dt) const {
@@ -104,7 +104,7 @@ MassOnSpring exact(double mass, double stiffness, MassOnSpring start, double tim
   const auto along = [](const MassOnSpring& s, const MassOnSpring& k, double dt) {
     return MassOnSpring{s.position + dt * k.position, s.velocity + dt * k.velocity};
   };
-  const int steps = 2000;
+  const int steps = 20000;
   const double dt = time / steps;
   for (int n = 0; n < steps; ++n) {
     const MassOnSpring a = slope(start), b = slope(along(start, a, dt / 2)), c = slope(along(start, b, dt / 2)),
@@ -117,6 +117,8 @@ MassOnSpring exact(double mass, double stiffness, MassOnSpring start, double tim
 struct Error {
   double position, velocity;
 };
+
+const Error failed{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
 
 /// Three masses against two fluid faces.
 Error error(const std::string& scheme, int cells, double mass) {
@@ -142,8 +144,7 @@ Error error(const std::string& scheme, int cells, double mass) {
         {structure, fluid, area, length, &transfer, &law}, history, {.reference_pressure = reference_pressure});
     history.remember(solution);
     w = node_velocities(solution.wall_velocity, row.periodic())[1][0];
-    EXPECT_TRUE(row.step(solution.traction, solution.velocity, dt));
-    EXPECT_TRUE(gas.step(w, solution.pressure[0], dt));
+    if (!row.step(solution.traction, solution.velocity, dt) || !gas.step(w, solution.pressure[0], dt)) return failed;
     row.commit((n + 1) * dt);
   }
   const MassOnSpring expected = exact(mass, stiffness, start, time), middle = row.masses()[1];
@@ -166,17 +167,11 @@ TEST(SpringMass, MovesWithTheGasToSecondOrder) {
 }
 
 TEST(SpringMass, LightMassesNeedTheProjection) {
-  // β = zΔt/2m ≫ 3: the extrapolated velocity of the traditional scheme overshoots more in every step.
-  EXPECT_LT(error("projection", 40, 1e-4).velocity, 2e-2);
-  EXPECT_LT(error("traditional-subiterated", 40, 1e-4).velocity, 2e-2);
-  const auto traditional = [] {
-    try {
-      return error("traditional", 40, 1e-4).velocity > 1;
-    } catch (const NumericalError&) {
-      return true;
-    }
-  };
-  EXPECT_TRUE(traditional());
+  // The structure's impedance 2m/Δt is far below a third of the gas's: extrapolated velocities overshoot more every
+  // step.
+  EXPECT_LT(error("projection", 40, 1e-4).position, 1e-3);
+  EXPECT_LT(error("traditional-subiterated", 40, 1e-4).position, 1e-3);
+  EXPECT_GT(error("traditional", 40, 1e-4).position, 1);
 }
 
 }  // namespace
