@@ -17,7 +17,8 @@ using std::numbers::pi;
 inline Material unit_speed(StressLaw law) { return {.law = law, .density = 1, .lambda = 1.0 / 3, .mu = 1.0 / 3}; }
 
 /// (v, σ or F, u) from v, ∇u and u.
-inline ElasticState elastic_state(const Material& material, const Point<2>& v, const Gradient& grad, const Point<2>& u) {
+inline ElasticState elastic_state(const Material& material, const Point<2>& v, const Gradient& grad,
+                                  const Point<2>& u) {
   if (material.law != StressLaw::linear)
     return {v[0], v[1], 1 + grad(0, 0), grad(0, 1), grad(1, 0), 1 + grad(1, 1), u[0], u[1]};
   const Gradient s = stress(material, Gradient::Identity() + grad);
@@ -70,7 +71,8 @@ std::shared_ptr<GrownGrid> placed_grid(int along, int layers, double spacing, bo
   grid->periodic = periodic;
   grid->period = period;
   for (int j = 0; j <= layers; ++j)
-    for (int i = 0; i < grid->row(); ++i) grid->nodes.push_back(place(static_cast<double>(i) / along, static_cast<double>(j) / layers));
+    for (int i = 0; i < grid->row(); ++i)
+      grid->nodes.push_back(place(static_cast<double>(i) / along, static_cast<double>(j) / layers));
   return grid;
 }
 
@@ -127,27 +129,32 @@ class ElasticRun {
           const std::size_t k = field.shape().at(cell);
           if (mask.cut() && !mask.active[k]) return;
           ElasticState state{};
-          for (int c = 0; c < solver_.components(); ++c) state[static_cast<std::size_t>(c)] = field.tile(t).component(c)[k];
+          for (int c = 0; c < solver_.components(); ++c)
+            state[static_cast<std::size_t>(c)] = field.tile(t).component(c)[k];
           visit(g, t, cell, solver_.cell_center(g, t, cell), state);
         });
       }
     }
   }
-  /// Largest difference from `exact` in any component.
-  double largest_error(const ElasticFunction& exact) const {
-    double largest = 0;
-    for_each_active_cell([&](int, int, const Index<2>&, const Point<2>& X, const ElasticState& state) {
-      const ElasticState right = exact(X, time_);
-      for (int c = 0; c < solver_.components(); ++c) {
-        const auto k = static_cast<std::size_t>(c);
-        const double error = std::abs(state[k] - right[k]);
-        largest = error <= largest ? largest : error;  // a NaN stays
-      }
-    });
-    return largest;
-  }
+  /// Differences from `exact` over all components and active cells: the largest, and the mean.
+  double largest_error(const ElasticFunction& exact) const { return errors(exact).first; }
+  double mean_error(const ElasticFunction& exact) const { return errors(exact).second; }
 
  private:
+  std::pair<double, double> errors(const ElasticFunction& exact) const {
+    double largest = 0, sum = 0, numbers = 0;
+    for_each_active_cell([&](int, int, const Index<2>&, const Point<2>& X, const ElasticState& state) {
+      const ElasticState right = exact(X, time_);
+      for (std::size_t c = 0; c < static_cast<std::size_t>(solver_.components()); ++c) {
+        const double error = std::abs(state[c] - right[c]);
+        largest = error <= largest ? largest : error;  // a NaN stays
+        sum += error;
+        ++numbers;
+      }
+    });
+    return {largest, sum / numbers};
+  }
+
   PhaseTimers timers_;
   ElasticSolver solver_;
   double time_ = 0;
