@@ -25,9 +25,18 @@ struct ExactMotion {
 /// An elastic solid at one of its material points X. Non-dimensional.
 struct ExactSolid {
   Point<2> velocity = Point<2>::Zero();
-  Point<2> displacement = Point<2>::Zero();             // u = x − X
+  Point<2> displacement = Point<2>::Zero();            // u = x − X
   Eigen::Matrix2d stress = Eigen::Matrix2d::Zero();    // linear: σ; hyperelastic: first Piola-Kirchhoff stress P
   Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();  // ∇u, rows: components of u
+
+  /// Superposition of linear motions.
+  ExactSolid& operator+=(const ExactSolid& other) {
+    velocity += other.velocity;
+    displacement += other.displacement;
+    stress += other.stress;
+    gradient += other.gradient;
+    return *this;
+  }
 };
 
 /// The interface at one of its material points. Non-dimensional.

@@ -1,14 +1,10 @@
-// The gas next to a rigid piston whose motion X(t), v(t) is known (piston_motion.hpp), as long as it is a simple wave.
-// Right of the piston the right-going characteristics are straight and carry the state of the wall they left at time τ:
-//   x = X(τ) + (v(τ) + c(τ)) (t − τ),  u = v(τ),  c = c0 + (γ−1)/2 (v(τ) − u0),  ρ = ρ0 (c/c0)^(2/(γ−1)),
-//   p̃ = p̃0 (c/c0)^(2γ/(γ−1));  undisturbed for x ≥ X(0) + (u0 + c0) t;  left of it mirrored.
-// A piston set into motion away from the gas at once sends a centred fan from x = X(0) first. The solution ends where
-// two characteristics cross, t = min over τ of τ + 2c/((γ+1)|v'|) on the compressed side (a shock forms), or where the
-// piston leaves the gas behind (c = 0). Source: Whitham, Linear and Nonlinear Waves, section 6.8.
+// The gas next to a rigid piston whose motion X(t), v(t) is known (piston_motion.hpp), as long as it is a simple wave
+// on either side (simple_wave.hpp).
 #pragma once
 
 #include "mortise/cases/exact/exact_solution.hpp"
 #include "mortise/cases/exact/piston_motion.hpp"
+#include "mortise/cases/exact/simple_wave.hpp"
 
 namespace mortise {
 
@@ -29,14 +25,10 @@ class RigidPiston : public ExactSolution<1> {
   double valid_until() const override { return valid_until_; }
 
  private:
-  Primitive<1> simple_wave(const Primitive<1>& gas, double n, double distance, double t) const;
-  double wall_sound_speed(const Primitive<1>& gas, double n, double tau) const;
-  double emission_time(const Primitive<1>& gas, double n, double distance, double t) const;
-  double end_of_simple_wave(const Primitive<1>& gas, double n) const;
-
   PistonProblem problem_;
   double width_;
-  PistonMotion motion_;
+  std::shared_ptr<const PistonMotion> motion_;
+  std::optional<SimpleWave> left_, right_;
   double valid_until_;
 };
 
