@@ -15,6 +15,7 @@
 // Everything here is a function of the poses alone, so the answer does not depend on the number of ranks.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <span>
 #include <string>
@@ -31,6 +32,7 @@ struct OverlapOptions {
   double overlap = 3;  // cells by which background and body grid are both active
   double margin = 1;   // cells by which the grids of two close bodies are both active on each other's side
   double least_gap = 3;  // cells between bodies, or a body and the edge of the domain, below which orphans may occur
+  bool clip = true;      // interpolated values to the range of the donor's stencil: off for smooth fields
 };
 
 /// Totals over all ranks since the last cut.
@@ -46,9 +48,16 @@ struct OverlapReport {
 template <int Dim>
 struct OverlapBody {
   std::shared_ptr<const Atlas<Dim>> atlas;
-  double spacing = 0;  // of the body's grids
+  double spacing = 0;  // of the body's grids, across
   int layers = 0;      // of the body's grids, the outer two of which are fringe
 };
+
+/// Options for a body made of a grid within its outline and a Cartesian core, nothing being known outside: the core's
+/// fringe, two cells wide, ends at the outline. Full order takes at least 5 layers (three rows that are not fringe).
+template <int Dim>
+OverlapOptions composite_options(const OverlapBody<Dim>& body, double core_spacing) {
+  return {.overlap = std::min(OverlapOptions{}.overlap, body.layers - 2 - 2 * core_spacing / body.spacing), .clip = false};
+}
 
 /// Where a value is interpolated from: nine (1D: three) cells around `center` of a local tile.
 template <int Dim>
@@ -105,6 +114,7 @@ class Overlap {
   struct Candidate {  // a grid that may hold a donor
     Index<Dim> center{};               // grid-wide index of the middle of its stencil
     std::array<double, Dim> offset{};  // of the point from there, in cells
+    std::array<double, Dim> place{};   // the point, in the body's frame
     int grid = -1;
     bool tight = false;                // a donor of lower order will do
   };
@@ -135,6 +145,8 @@ class Overlap {
   void begin_cut(int grid, int tile, std::uint8_t active);
   void mark_fringe(int grid, int tile, Index<Dim> low, Index<Dim> high);
   void collect_receivers(int grid, int tile, const Index<Dim>& low, const Index<Dim>& high);
+  void measure(std::size_t grid);
+  bool touches(std::size_t body, const Box<Dim>& box) const;
   double edge_distance(const Point<Dim>& x) const;
   bool wanted_by_background(const Point<Dim>& x) const;
   bool wanted_by_body(int body, double own_distance, const Point<Dim>& x) const;
@@ -174,8 +186,15 @@ class Overlap {
   std::vector<Pose<Dim>> poses_;
   std::vector<Frame<Dim>> frames_;
   std::vector<Box<Dim>> reaches_;                      // of the bodies, in space
+  std::vector<Box<Dim>> vicinities_;                   // the same without an inward body's far side
+  struct Surroundings {
+    std::shared_ptr<const Atlas<Dim>> atlas;
+    Frame<Dim> frame;
+  };
+  std::vector<Surroundings> now_, before_;             // per body: at the last update, and at the one before that
   std::vector<Box<Dim>> touched_;                      // per body: where it is and was, if it matters to this update; else empty
   std::vector<std::uint8_t> moved_;                    // per body: at the last update
+  std::vector<std::uint8_t> reshaped_;                 // per body: since the last update
   std::vector<std::vector<Point<Dim>>> body_centers_;  // per grid: cell centres in the body's frame (body grids)
   std::vector<std::vector<double>> own_distances_;     // per grid: distance of the cell centres from the own body
 
