@@ -75,6 +75,8 @@ Made deforming_diffuser(const CaseDescription& c) {
   problem.period = c.layer.along_high - c.layer.along_low;
   problem.height = c.solids[0].thickness;
   problem.load = load_of(c);
+  const std::string& wall = c.solids[0].wall;
+  problem.wall = [formula = Expression(wall.empty() ? "0" : wall, {"x"})](double x) { return formula(x); };
   return std::make_unique<DeformingDiffuser>(problem);
 }
 

@@ -22,7 +22,7 @@ class RadialReference : public ExactSolution<2> {
   bool describes_solid() const override { return true; }
   ExactSolid solid(const Point<2>& X, double t) const override;
   std::optional<ExactInterface> interface_at(const Point<2>& X, double t) const override;
-  /// time_end, or when the first disturbance reaches the end of the gas (unless that is the axis).
+  /// time_end, or when the first disturbance reaches the outer end of the gas.
   double valid_until() const override;
 
   RadialInterface interface_now(double t) const;
