@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "mortise/cases/exact/elastic_cases.hpp"
 #include "mortise/cases/scene/bodies.hpp"
 #include "mortise/cases/scene/solid_grids.hpp"
 #include "mortise/cases/scene/solid_state.hpp"
