@@ -12,12 +12,14 @@
 
 namespace mortise {
 
-/// Solution at the interface over one step.
+/// Solution at the interface over one step. load = pressure and wall_velocity = velocity where the scheme has one answer
+/// for both sides; traditional has two velocities, anti-traditional two pressures.
 struct InterfaceSolution {
-  std::vector<double> pressure;         // p̃ per fluid face
+  std::vector<double> pressure;         // p̃ per fluid face: what the fluid's flux gets
+  std::vector<double> load;             // p̃ per fluid face: what the structure carries, makes `traction`
   std::vector<Point<2>> traction;       // t_I per structure face, outward reference normal, per reference area
   std::vector<Point<2>> velocity;       // v_I per structure face: what the structure's flux gets
-  std::vector<Point<2>> wall_velocity;  // per structure face: what the interface's nodes move with
+  std::vector<Point<2>> wall_velocity;  // per structure face: what the interface's nodes, the fluid's wall, move with
   int iterations = 0;
 };
 
@@ -39,17 +41,19 @@ struct InterfaceProblem {
   const WallLaw* law = nullptr;
 };
 
-/// What a scheme remembers of earlier steps, the last one first; empty before the first steps. Lagged data are those of
-/// [0], extrapolated ones 2 [0] − [1].
+/// What a scheme remembers of the last two steps, the last one first; empty before the first step. Lagged data are those
+/// of [0], extrapolated ones 2 [0] − [1] ([0] while there is one only).
 struct InterfaceHistory {
-  std::vector<std::vector<Point<2>>> wall_velocity;  // per structure face
-  std::vector<std::vector<double>> pressure;         // per fluid face
+  std::vector<std::vector<Point<2>>> wall_velocity;  // InterfaceSolution::velocity, the structure's own v_I
+  std::vector<std::vector<double>> pressure;         // InterfaceSolution::load
+
+  void remember(const InterfaceSolution& solution);  // after a step has been accepted
 };
 
 using InterfaceScheme = InterfaceSolution (*)(const InterfaceProblem&, const InterfaceHistory&, const InterfaceOptions&);
 
 /// projection, traditional, traditional-subiterated, anti-traditional.
-/// All throw NumericalError when no solution exists (non-finite data).
+/// All throw NumericalError, naming the fluid face, when no solution exists (non-finite data).
 const Registry<InterfaceScheme>& interface_schemes();
 
 /// t_I per structure face from the pressures of the fluid faces: −Σ_pieces (p − p_e) S of_fluid / L (or with the

@@ -1,4 +1,4 @@
-// Physical boundaries of a Cartesian background grid: two ghost layers beyond each side of the domain.
+// Physical boundaries of a grid: two ghost layers beyond each side of a Cartesian background, or of a mesh.
 #pragma once
 
 #include <functional>
@@ -32,5 +32,16 @@ struct Boundaries {
 /// Corner ghosts are filled too (last direction last).
 template <int Dim>
 void fill_boundary(const ComponentGrid<Dim>& grid, int tile, TileBlock& block, const Boundaries<Dim>& boundaries, double gamma, double time);
+
+/// Where the nodes of a tile are, ghosts included: arrays indexed by shape->at().
+struct TileNodes {
+  const TileShape<2>* shape;
+  const double *x, *y;
+};
+
+/// The same for a tile of a curvilinear mesh, whose sides are of these kinds; walls mirror about the boundary face beside
+/// each ghost cell.
+void fill_boundary(const ComponentGrid<2>& grid, int tile, TileBlock& block, const std::array<BoundaryKind, 4>& kinds, const TileNodes& nodes,
+                   const Boundaries<2>& boundaries, double gamma, double time);
 
 }  // namespace mortise

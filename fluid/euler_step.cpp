@@ -52,7 +52,7 @@ StepResult EulerSolver<Dim>::step_tile(int g, int t, const std::vector<BodyPath<
   const auto body = static_cast<std::size_t>(grid.body);
   place(g, t, paths[body], dt, 0.5);
   FittedTile<Dim> tile = fitted(g, t);
-  if (setup_.bodies[body].wall) {
+  if (carries_wall(g, t)) {
     if constexpr (Dim == 2) {
       tile.south = WallSide{.present = true, .pressure = pressure[body].data() + grid.first_cell(t)[0]};
     } else {
@@ -61,6 +61,13 @@ StepResult EulerSolver<Dim>::step_tile(int g, int t, const std::vector<BodyPath<
     }
   }
   return godunov_step(tile, dt, setup_.options);
+}
+
+/// The tile lies on a wall; tiles of meshes may be farther out.
+template <int Dim>
+bool EulerSolver<Dim>::carries_wall(int g, int t) const {
+  const ComponentGrid<Dim>& grid = grids_[static_cast<std::size_t>(g)];
+  return setup_.bodies[static_cast<std::size_t>(grid.body)].wall && (Dim == 1 || grid.first_cell(t)[Dim - 1] == 0);
 }
 
 template <int Dim>
@@ -123,8 +130,9 @@ std::vector<std::vector<WallTrace<Dim>>> EulerSolver<Dim>::wall_traces(const std
   std::vector<Item> mine;
   for (std::size_t g = 0; g < grids_.size(); ++g) {
     const ComponentGrid<Dim>& grid = grids_[g];
-    if (grid.background() || !setup_.bodies[static_cast<std::size_t>(grid.body)].wall) continue;
+    if (grid.background()) continue;
     for (int t = 0; t < now_[g].tiles(); ++t) {
+      if (!carries_wall(static_cast<int>(g), t)) continue;
       if (!now_[g].tile(t).allocated())
         throw NumericalError("no gas is left around body " + setup_.bodies[static_cast<std::size_t>(grid.body)].name + ": its grid lies in other bodies");
       place(static_cast<int>(g), t, paths[static_cast<std::size_t>(grid.body)], dt, 0);
@@ -222,11 +230,11 @@ std::string EulerSolver<Dim>::bad_cell_of_tile(int g, int t, const std::vector<B
     if (!found.empty() || (mask.cut() && !mask.active[k])) return;
     const Primitive<Dim> W = to_primitive(get<Dim>(next_[of_grid].tile(t), k), setup_.gas.gamma);
     if (W.density > 0 && W.pressure > 0 && std::isfinite(W.density) && std::isfinite(W.pressure)) return;
-    const Pose<Dim> pose = grid.background() ? Pose<Dim>{} : paths[static_cast<std::size_t>(grid.body)].end;
+    const Point<Dim> x = grid.background() ? cell_center(g, t, c) : end_center(g, t, c, paths[static_cast<std::size_t>(grid.body)]);
     std::ostringstream text;
     text << "grid " << grid.name << ", cell (" << grid.first_cell(t)[0] + c[0];
     if constexpr (Dim == 2) text << ", " << grid.first_cell(t)[1] + c[1];
-    text << ") at (" << cell_center(g, t, c, pose).transpose() << "): density " << W.density << ", pressure " << W.pressure - setup_.gas.p_inf
+    text << ") at (" << x.transpose() << "): density " << W.density << ", pressure " << W.pressure - setup_.gas.p_inf
          << ", velocity";
     for (const double u : W.velocity) text << ' ' << u;
     found = text.str();

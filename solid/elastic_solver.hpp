@@ -2,8 +2,8 @@
 // being found once. Owns grids, overlap and fields. The south side (layer 0) of the fitted grid may be an interface:
 // what happens there the coupler decides.
 //
-// The composite of a disk, an ellipse or a stick is a Cartesian core and a grid grown inward from the outline; that of a
-// plate with a hole a Cartesian plate and a grid grown outward from the hole.
+// The composite of a disk, an ellipse or a stick is a Cartesian core and a grid grown inward from the outline; that of
+// a plate with a hole a Cartesian plate and a grid grown outward from the hole.
 #pragma once
 
 #include <functional>
@@ -14,31 +14,14 @@
 #include "mortise/grids/core/timers.hpp"
 #include "mortise/grids/forest/ghost_exchange.hpp"
 #include "mortise/grids/overlap/overlap.hpp"
-#include "mortise/solid/elastic_step.hpp"
+#include "mortise/solid/cell_finder.hpp"
+#include "mortise/solid/elastic_boundary.hpp"
 
 namespace mortise {
-
-/// What happens on a side that is no interface.
-enum class ElasticBoundary {
-  periodic,      // the ghost exchange fills it
-  displacement,  // v* given (fixed: zero), traction from the solid
-  traction,      // t* given (free: zero), velocity from the solid
-  slip,          // v*·n = 0 and no shear traction; a plane of symmetry is the same
-  exact,         // ghost cells hold the state of a given function
-  interface      // (t*, v*) from the coupler; south of the fitted grid only
-};
 
 /// (v, σ or F, u) as a function of reference position and time; as many numbers as the field has components.
 using ElasticState = std::array<double, 8>;
 using ElasticFunction = std::function<ElasticState(const Point<2>& X, double t)>;
-/// Prescribed boundary velocity or traction: a function of reference position, outward reference normal and time.
-using BoundaryFunction = std::function<Point<2>(const Point<2>& X, const Point<2>& N, double t)>;
-
-/// One side of a grid.
-struct ElasticSide {
-  ElasticBoundary kind = ElasticBoundary::traction;
-  BoundaryFunction value;  // displacement: its velocity; traction: it. Empty: zero
-};
 
 struct ElasticSetup {
   std::string name;
@@ -109,11 +92,59 @@ class ElasticSolver {
   std::vector<ElasticState> sample(std::span<const Point<2>> points) const;
 
  private:
-  // the author's
+  using PerTile = std::vector<std::vector<double>>;  // per grid, tile
+
+  // elastic_solver.cpp
+  void append_grids();
+  void interpolate();
+  void fill_holes();
+  Field<2>& field(int grid) { return now_[static_cast<std::size_t>(grid)]; }
+  const ComponentGrid<2>& grid_of(int grid) const { return grids_[static_cast<std::size_t>(grid)]; }
+  template <class Visit>
+  void for_each_tile(Visit&& visit) const {
+    for (std::size_t g = 0; g < grids_.size(); ++g)
+      for (int t = 0; t < now_[g].tiles(); ++t) visit(static_cast<int>(g), t);
+  }
+
+  // elastic_ghosts.cpp
+  void fill_ghosts(double time);
+  void extrapolate(int grid, int tile);
+  void fill_exact(int grid, int tile, double time);
+  bool at_edge(int grid, int tile, Side side) const;
+  const ElasticSide* boundary(int grid, int tile, Side side) const;
+
+  // elastic_advance.cpp
+  ElasticTile view(int grid, int tile);
+  void solve_boundaries(int grid, int tile, ElasticTile& view, double dt);
+  void solve_boundary(int grid, int tile, Side side, const ElasticSide& what, ElasticTile& view, double dt);
+  bool quiet(int grid, int tile, const ElasticTile& view) const;
+  std::string bad_cell_of_tile(int grid, int tile, const TileBlock& block) const;
+  std::string first_bad_cell(const std::vector<Field<2>>& fields, bool computed_only) const;
+
+  // elastic_geometry.cpp
+  void build_nodes();
+  Point<2> tile_node(int grid, int tile, int i, int j) const;
+  bool find_stencil(const Point<2>& X, Index<2>& center, std::array<double, 2>& offset) const;
+  ElasticState interpolated(const TileBlock& block, const TileShape<2>& shape, const Index<2>& center,
+                            const std::array<double, 2>& offset) const;
+
+  Communicator comm_;
   ElasticSetup setup_;
+  PhaseTimers& timers_;
   std::vector<ComponentGrid<2>> grids_;
   std::vector<Field<2>> now_, next_;
-  std::vector<std::vector<double>> rates_;
+  std::vector<GhostExchange<2>> exchanges_;
+  std::unique_ptr<Overlap<2>> overlap_;                                 // when there are two grids
+  std::unique_ptr<CellFinder> finder_;                                  // when there is only a fitted one
+  std::vector<TileShape<2>> node_shapes_;                               // per grid
+  std::vector<std::vector<std::array<std::vector<double>, 2>>> nodes_;  // per grid, tile; empty for the Cartesian one
+  ElasticState rest_{};                                                 // of a solid at rest without stress
+  double time_ = 0;
+  std::array<std::vector<Point<2>>, 4> traction_, velocity_;  // at the sides of the tile at hand
+  std::vector<ElasticTrace> traces_;                          // along one of them
+  PerTile rates_, new_rates_;
+  PerTile least_j_, new_least_j_;
+  std::vector<std::vector<std::uint8_t>> computed_;  // per grid, tile: in the last step
   ElasticStepCount count_;
 };
 

@@ -162,7 +162,7 @@ CaseDescription adjusted(CaseDescription description, const RunOptions& options)
 
 int run_case(CaseDescription description, const RunOptions& options, const Communicator& comm) {
   description = adjusted(std::move(description), options);
-  if (description.dimension == 1) return Run<1>(std::move(description), options, comm)();
+  if (scene_dimension(description) == 1) return Run<1>(std::move(description), options, comm)();
   return Run<2>(std::move(description), options, comm)();
 }
 
@@ -173,7 +173,7 @@ void check_case_runs(const CaseDescription& description, const Communicator& com
     simulation.initialize();
     agree(comm, [&] { check_initial_state(description, simulation); });
   };
-  if (description.dimension == 1)
+  if (scene_dimension(description) == 1)
     build.template operator()<1>();
   else
     build.template operator()<2>();

@@ -12,22 +12,22 @@ namespace {
 constexpr int default_layers = 10;
 constexpr double radians = std::numbers::pi / 180;
 
-using OutlineMaker = Outline (*)(const BodyDescription&);
+using OutlineMaker = Outline (*)(const ShapeDescription&);
 
 const Registry<OutlineMaker>& outlines() {
   static const Registry<OutlineMaker> registry(
       "shape",
-      {{"circle", [](const BodyDescription& b) { return Outline::circle(b.radius); }},
-       {"ellipse", [](const BodyDescription& b) { return Outline::ellipse(b.semi_axes[0], b.semi_axes[1]); }},
-       {"stick", [](const BodyDescription& b) { return Outline::rounded_rectangle(b.size[0], b.size[1], b.fillet); }},
-       {"rectangle", [](const BodyDescription& b) { return Outline::rounded_rectangle(b.size[0], b.size[1], b.fillet); }},
+      {{"circle", [](const ShapeDescription& b) { return Outline::circle(b.radius); }},
+       {"ellipse", [](const ShapeDescription& b) { return Outline::ellipse(b.semi_axes[0], b.semi_axes[1]); }},
+       {"stick", [](const ShapeDescription& b) { return Outline::rounded_rectangle(b.size[0], b.size[1], b.fillet); }},
+       {"rectangle", [](const ShapeDescription& b) { return Outline::rounded_rectangle(b.size[0], b.size[1], b.fillet); }},
        {"polygon",
-        [](const BodyDescription& b) {
+        [](const ShapeDescription& b) {
           std::vector<Point<2>> corners;
           for (const auto& corner : b.corners) corners.emplace_back(corner[0], corner[1]);
           return Outline::rounded_polygon(corners, b.fillet);
         }},
-       {"spline", [](const BodyDescription& b) { return Outline::spline_from_file(b.points); }}});
+       {"spline", [](const ShapeDescription& b) { return Outline::spline_from_file(b.points); }}});
   return registry;
 }
 
@@ -43,7 +43,7 @@ struct Built {
 };
 
 Built build_shape(const BodyDescription& description, double spacing, int layers, FittedBody<2>& fitted, BodySetup<2>& body) {
-  const auto outline = std::make_shared<Outline>(outlines().at(description.shape)(description).centered());
+  const auto outline = std::make_shared<Outline>(outline_of(description).centered());
   fitted.shape.atlas = std::make_shared<BodyAtlas>(*outline, grow(*outline, {spacing, layers}));
   body.outline = outline;
   return {outline->area(), outline->second_moment(), outline->mean_radius()};
@@ -63,20 +63,26 @@ Built build_shape(const BodyDescription& description, double spacing, int layers
 
 }  // namespace
 
+Outline outline_of(const ShapeDescription& shape) { return outlines().at(shape.shape)(shape); }
+
+int body_layers(int wished) { return wished > 0 ? wished + wished % 2 : default_layers; }
+
 template <int Dim>
-void add_body(const CaseDescription& description, std::size_t index, double spacing, SimulationSetup<Dim>& setup) {
+void add_body(const CaseDescription& description, std::size_t index, double spacing, SimulationSetup<Dim>& setup,
+              std::vector<PlacedShape<Dim>>& shapes) {
   const BodyDescription& from = description.bodies[index];
   FittedBody<Dim> fitted;
   BodySetup<Dim> body;
   fitted.name = from.name;
   fitted.wall = from.surface == "wall";
   fitted.shape.spacing = spacing;
-  fitted.shape.layers = from.layers > 0 ? from.layers + from.layers % 2 : default_layers;
+  fitted.shape.layers = body_layers(from.layers);
+  const std::string label = "bodies." + std::to_string(index) + " (" + from.name + ")";
   Built built;
   try {
     built = build_shape(from, spacing, fitted.shape.layers, fitted, body);
   } catch (const InputError& error) {
-    throw InputError(from.place + ": bodies." + std::to_string(index) + " (" + from.name + "): " + error.what());
+    throw InputError(from.place + ": " + label + ": " + error.what());
   }
   RigidBody<Dim>& rigid = body.body;
   rigid.name = from.name;
@@ -101,11 +107,12 @@ void add_body(const CaseDescription& description, std::size_t index, double spac
     rigid.held[degree] = body.motion[degree] || std::find(from.fixed.begin(), from.fixed.end(), names[entry]) != from.fixed.end();
     if (rigid.held[degree]) rigid.y[k] = body.motion[degree] ? (body.motion[degree](1e-6) - body.motion[degree](0)) / 1e-6 : 0.0;
   }
+  shapes.push_back({fitted.shape.atlas, body.outline, rigid.pose, from.place, label});
   setup.fluid.bodies.push_back(std::move(fitted));
   setup.bodies.push_back(std::move(body));
 }
 
-template void add_body<1>(const CaseDescription&, std::size_t, double, SimulationSetup<1>&);
-template void add_body<2>(const CaseDescription&, std::size_t, double, SimulationSetup<2>&);
+template void add_body<1>(const CaseDescription&, std::size_t, double, SimulationSetup<1>&, std::vector<PlacedShape<1>>&);
+template void add_body<2>(const CaseDescription&, std::size_t, double, SimulationSetup<2>&, std::vector<PlacedShape<2>>&);
 
 }  // namespace mortise

@@ -5,19 +5,11 @@
 
 #include "mortise/cases/exact/initial_state.hpp"
 #include "mortise/cases/scene/bodies.hpp"
+#include "mortise/cases/scene/solids.hpp"
 #include "mortise/grids/core/error.hpp"
 
 namespace mortise {
 namespace {
-
-const Registry<BoundaryKind>& boundary_kinds() {
-  static const Registry<BoundaryKind> kinds("boundary", {{"periodic", BoundaryKind::periodic},
-                                                         {"inflow", BoundaryKind::inflow},
-                                                         {"outflow", BoundaryKind::outflow},
-                                                         {"wall", BoundaryKind::wall},
-                                                         {"exact", BoundaryKind::exact}});
-  return kinds;
-}
 
 const Registry<Limiter>& limiters() {
   static const Registry<Limiter> all(
@@ -57,7 +49,7 @@ std::array<double, 4> van_albada_floor(const SimulationSetup<Dim>& setup, double
 template <int Dim>
 void set_boundaries(const CaseDescription& description, const Scene<Dim>& scene, Boundaries<Dim>& boundaries) {
   const std::string* sides[] = {&description.left, &description.right, &description.bottom, &description.top};
-  for (std::size_t side = 0; side < 2 * Dim; ++side) boundaries.kind[side] = boundary_kinds().at(*sides[side]);
+  for (std::size_t side = 0; side < 2 * Dim; ++side) boundaries.kind[side] = boundary_kind(*sides[side]);
   boundaries.inflow.density = description.inflow[0];
   for (std::size_t d = 0; d < Dim; ++d) boundaries.inflow.velocity[d] = description.inflow[1 + d];
   boundaries.inflow.pressure = description.inflow[3] + description.p_inf;
@@ -73,8 +65,14 @@ void set_boundaries(const CaseDescription& description, const Scene<Dim>& scene,
     boundaries.exact = scene.setup.initial;
 }
 
+/// The background; returns its cell size, that of all grids.
 template <int Dim>
-void set_grid(const CaseDescription& description, EulerSetup<Dim>& fluid) {
+double set_grid(const CaseDescription& description, EulerSetup<Dim>& fluid) {
+  double spacing = description.spacing();
+  if (!description.has_gas || description.layered()) {
+    fluid.tile.fill(2);
+    return spacing;
+  }
   static constexpr int preferred[] = {64, 32};
   for (std::size_t d = 0; d < Dim; ++d) {
     const int k = static_cast<int>(d);
@@ -85,7 +83,39 @@ void set_grid(const CaseDescription& description, EulerSetup<Dim>& fluid) {
     const Tiling tiling = tile > 0 ? Tiling{(wanted + tile - 1) / tile * tile, tile} : choose_tiling(wanted, Dim == 1 ? 128 : preferred[d % 2]);
     fluid.cells[d] = tiling.cells;
     fluid.tile[d] = tiling.tile;
+    const double size = (fluid.domain.high[k] - fluid.domain.low[k]) / tiling.cells;
+    spacing = d == 0 ? size : std::min(spacing, size);
   }
+  return spacing;
+}
+
+/// (ρ, u, p̃) at t = 0. Scenes without gas have some gas for the sake of a solver without cells.
+template <int Dim>
+StateFunction<Dim> initial_gas(const CaseDescription& description, const std::shared_ptr<const ExactSolution<Dim>>& exact) {
+  if (!description.has_gas) return [](const Point<Dim>&, double) { return Primitive<Dim>{1, {}, 1}; };
+  const double p_inf = description.p_inf;
+  const auto shifted = [p_inf](Primitive<Dim> W) {
+    W.pressure += p_inf;
+    return W;
+  };
+  if (description.initial.kind == "exact")
+    return [exact, shifted](const Point<Dim>& x, double) { return shifted(exact->state(x, 0)); };
+  const auto initial = std::make_shared<InitialState<Dim>>(description);
+  return [initial, shifted](const Point<Dim>& x, double) { return shifted((*initial)(x)); };
+}
+
+/// Gas, background, boundaries and options of the fluid solver; returns the cell size.
+template <int Dim>
+double set_fluid(const CaseDescription& description, Scene<Dim>& scene) {
+  EulerSetup<Dim>& fluid = scene.setup.fluid;
+  fluid.gas = {description.gamma, description.p_inf};
+  fluid.skip = description.skip;
+  const double spacing = set_grid(description, fluid);
+  set_boundaries(description, scene, fluid.boundaries);
+  fluid.options.gamma = description.gamma;
+  fluid.options.limiter = limiters().at(description.limiter);
+  fluid.options.riemann = riemann_solvers().at(description.riemann);
+  return spacing;
 }
 
 }  // namespace
@@ -99,40 +129,42 @@ Tiling choose_tiling(int wanted, int preferred) {
   }
 }
 
+int scene_dimension(const CaseDescription& description) { return description.solids.empty() ? description.dimension : 2; }
+
+BoundaryKind boundary_kind(const std::string& key) {
+  static const Registry<BoundaryKind> kinds("boundary", {{"periodic", BoundaryKind::periodic},
+                                                         {"inflow", BoundaryKind::inflow},
+                                                         {"outflow", BoundaryKind::outflow},
+                                                         {"wall", BoundaryKind::wall},
+                                                         {"exact", BoundaryKind::exact}});
+  return kinds.at(key);
+}
+
 template <int Dim>
 Scene<Dim> build_scene(const CaseDescription& description) {
   Scene<Dim> scene;
   SimulationSetup<Dim>& setup = scene.setup;
   EulerSetup<Dim>& fluid = setup.fluid;
   scene.exact = make_exact<Dim>(description);
-  const auto initial = std::make_shared<InitialState<Dim>>(description);
-  const double p_inf = description.p_inf;
-  setup.initial = [initial, p_inf](const Point<Dim>& x, double) {
-    Primitive<Dim> W = (*initial)(x);
-    W.pressure += p_inf;
-    return W;
-  };
-  fluid.gas = {description.gamma, description.p_inf};
-  fluid.skip = description.skip;
-  set_grid(description, fluid);
-  set_boundaries(description, scene, fluid.boundaries);
-  fluid.options.gamma = description.gamma;
-  fluid.options.limiter = limiters().at(description.limiter);
-  fluid.options.riemann = riemann_solvers().at(description.riemann);
-  fluid.options.van_albada_floor = van_albada_floor<Dim>(setup, description.van_albada_k, description.spacing());
+  setup.initial = initial_gas<Dim>(description, scene.exact);
+  const double spacing = set_fluid(description, scene);
 
-  setup.scheme = description.bodies.empty() ? "rigid" : description.scheme;
+  setup.scheme = description.scheme == "traditional" && !description.bodies.empty() ? "traditional" : "rigid";
   for (int d = 0; d < Dim; ++d) setup.gravity[d] = description.gravity[static_cast<std::size_t>(d)];
   setup.cfl = description.cfl;
   setup.time_step = description.time_step;
   setup.contact = description.contact;
   setup.restitution = description.restitution;
-  double spacing = 1e300;
-  for (int d = 0; d < Dim; ++d)
-    spacing = std::min(spacing, (fluid.domain.high[d] - fluid.domain.low[d]) / fluid.cells[static_cast<std::size_t>(d)]);
-  for (std::size_t b = 0; b < description.bodies.size(); ++b) add_body<Dim>(description, b, spacing, setup);
   setup.contact_gap = (description.contact_gap > 0 ? description.contact_gap : fluid.overlap.least_gap) * spacing;
-  check_clearance(description, setup, fluid.overlap.least_gap * spacing);
+
+  std::vector<PlacedShape<Dim>> shapes;
+  for (std::size_t b = 0; b < description.bodies.size(); ++b) add_body<Dim>(description, b, spacing, setup, shapes);
+  if constexpr (Dim == 2) {
+    for (std::size_t k = 0; k < description.solids.size(); ++k) add_solid(description, k, spacing, scene.exact, setup, shapes);
+    if (fluid.cells[0] == 0) fluid.domain = bounds_of(setup);
+  }
+  fluid.options.van_albada_floor = van_albada_floor<Dim>(setup, description.van_albada_k, description.spacing());
+  check_clearance(description.grid_factor, fluid, shapes, fluid.overlap.least_gap * spacing);
   return scene;
 }
 

@@ -1,7 +1,9 @@
-// From what a case file says to what a simulation needs: grids, bodies, states, boundaries.
+// From what a case file says to what a simulation needs: grids, bodies, elastic solids, states, boundaries.
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "mortise/cases/exact/exact_solution.hpp"
 #include "mortise/cases/input/case_description.hpp"
@@ -15,6 +17,9 @@ struct Scene {
   std::shared_ptr<const ExactSolution<Dim>> exact;  // nullptr: none known
 };
 
+/// 1 or 2: the dimension to simulate a case in. Elastic solids on a line are strips four cells wide in the plane.
+int scene_dimension(const CaseDescription& description);
+
 /// Throws InputError for everything that needs geometry to be seen: outlines that cross themselves, bodies that overlap, lie
 /// outside the domain or closer to each other or to its edge than the overlap resolves, a scheme the scene cannot use.
 template <int Dim>
@@ -26,8 +31,20 @@ struct Tiling {
 };
 Tiling choose_tiling(int cells, int preferred);
 
-/// Throws InputError for bodies too close to each other or to the edge of the domain (build_scene calls it).
+/// Key of [boundaries].
+BoundaryKind boundary_kind(const std::string& key);
+
+/// An outline that gas flows around, at t = 0.
 template <int Dim>
-void check_clearance(const CaseDescription& description, const SimulationSetup<Dim>& setup, double least_gap);
+struct PlacedShape {
+  std::shared_ptr<const Atlas<Dim>> atlas;  // in the outline's own frame
+  std::shared_ptr<const Outline> outline;   // 2D only
+  Pose<Dim> pose;
+  std::string place, label;  // in the case file; for people: bodies.0 (stick_0)
+};
+
+/// Throws InputError for shapes too close to each other or to the edge of the domain (build_scene calls it).
+template <int Dim>
+void check_clearance(double grid_factor, const EulerSetup<Dim>& fluid, const std::vector<PlacedShape<Dim>>& shapes, double least_gap);
 
 }  // namespace mortise

@@ -1,10 +1,11 @@
-// A body-fitted grid in the body's own frame, and fast answers about points near it. Everything here is fixed
-// once a rigid body is built: a moving body is asked in its own frame, X = R(−angle)(x − position).
+// A body-fitted grid in the body's own frame, and fast answers about points near it. A rigid body's are built once and
+// asked in its own frame, X = R(−angle)(x − position); a deforming body's are built anew when it has moved.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "mortise/grids/core/types.hpp"
@@ -17,6 +18,7 @@ struct GrowthOptions {
   double spacing;       // target cell size h, along and across
   int layers;           // number of cell layers, at least 3
   bool inward = false;  // into the outline instead of away from it
+  double thickness = 0;  // of a layer; 0: h, or for inward grids of thin bodies what leaves room for a core
 };
 
 /// Nodes of a structured grid that begins at a curve, its layer 0. Node (i, j), 0 ≤ j ≤ layers; cells are right-handed:
@@ -29,14 +31,21 @@ struct GrownGrid {
   bool periodic = true;         // node (i + along, j) is node (i, j) + period; otherwise rows have along + 1 nodes
   Point<2> period = Point<2>::Zero();  // zero: a closed curve
   double smoothing = 0;         // α of the growth; 0: not grown
+  double thickness = 0;         // of a layer: as grown, or the mean where stretched
 
   int row() const { return periodic ? along : along + 1; }
   /// Any i and j: beyond the first and last row or, where the grid is not periodic, column the grid is continued
   /// linearly.
-  Point<2> node(int i, int j) const;
+  Point<2> node(int i, int j) const {
+    if (i < 0 || i >= row() || j < 0 || j > layers) return continued(i, j);
+    return nodes[static_cast<std::size_t>(j) * static_cast<std::size_t>(row()) + static_cast<std::size_t>(i)];
+  }
+
+ private:
+  Point<2> continued(int i, int j) const;
 };
 
-/// Marches outward hyperbolically. `along` is the multiple of 4 nearest to perimeter/spacing, at least 16, so that a
+/// Marches outward, or inward, hyperbolically. `along` is the multiple of 4 nearest to perimeter/spacing, at least 16, so that a
 /// symmetric outline gives a grid symmetric to round-off. Every cell is checked.
 /// Throws InputError for a spacing that is not positive, for fewer than 3 layers, and when the grid would fold
 /// whatever the smoothing.
@@ -72,15 +81,21 @@ struct StencilPoint {
 /// Distance and location tables of one grown grid. Immutable; may be asked from several threads.
 class BodyAtlas {
  public:
-  BodyAtlas(const Outline& outline, GrownGrid grid);
-  /// From the grid alone, fast: for a grid that has been grown anew around a curve that moved. Distances are those along
-  /// the grid's lines, η + ½ layers times spacing (not grid points' exact distances, but continuous, zero on layer 0 and
-  /// growing outward); tables cover the grid and a few cells inside the body. `inward`: the body is outside the curve.
+  /// `inward`: the body is outside the outline, which the grid lines from within.
+  BodyAtlas(const Outline& outline, GrownGrid grid, bool inward = false);
+  /// From a closed grid alone, fast: for one that has been grown anew around a curve that moved. Distances are those
+  /// along the grid's lines, (η + ½) thickness: continuous, zero on layer 0 and growing away from it, also a few cells
+  /// into the body; from there on some negative number, and beyond the grid one > width.
   explicit BodyAtlas(GrownGrid grid, bool inward = false);
 
   const GrownGrid& grid() const { return grid_; }
+  bool inward() const { return inward_; }
   double width() const { return width_; }         // smallest distance of the outermost node layer from the outline
   const Box<2>& reach() const { return reach_; }  // body frame; holds all points closer than width + 6 spacings
+  const Box<2>& vicinity() const { return vicinity_; }  // reach(), where that is not boundless: of the tables
+  /// Whether a box meets the grid, or is within 8 spacings of doing so. A box that does not is all in the body, or all
+  /// out of the grid's reach, or around everything.
+  bool near_grid(const Box<2>& box) const;
   /// Centre of a cell: the mean of its four nodes; −1 ≤ i ≤ along (periodic), 0 ≤ j < layers.
   const Point<2>& center(int i, int j) const {
     return centers_[static_cast<std::size_t>(j * (grid_.along + 2) + i + 1)];
@@ -115,9 +130,14 @@ class BodyAtlas {
   bool locate_clamped(const Point<2>& X, Point<2>& logical) const;
 
  private:
+  void place_tables();
   void fill_centers();
+  void fill_blocks();
   void fill_distances(const Outline& outline);
   void fill_nearest_cells();
+  void rasterize();
+  void rasterize_cell(int i, int j);
+  void fill_interior(double from, double to);
   double distance_bound(const Point<2>& X) const;
   int nearest_cell(const Point<2>& X) const;  // −1: none near
   bool solve(const Point<2>& X, StencilPoint& where) const;
@@ -125,14 +145,17 @@ class BodyAtlas {
   Point<2> logical(const StencilPoint& where) const;
 
   GrownGrid grid_;
+  bool inward_ = false;
   double width_ = 0;
-  Box<2> bounds_, reach_;          // of the outline; of the table
+  Box<2> bounds_, reach_, vicinity_;  // bounds_: of the outline
   std::vector<Point<2>> centers_;  // layers × (along + 2): each row begins and ends with its neighbour across the seam
   Point<2> table_low_;             // its first node
   Index<2> table_size_{};          // nodes
   double table_per_length_ = 0;    // nodes per unit length
   std::vector<double> distance_table_;  // at table nodes
   std::vector<int> cell_table_;  // at table nodes: index j * along + i of the nearest cell, −1 where none is near
+  Index<2> block_count_{};
+  std::vector<std::uint8_t> blocks_;  // squares of the table, 1 where the grid has a cell centre
 };
 
 }  // namespace mortise

@@ -27,6 +27,19 @@ std::vector<Point<1>> cell_centers(const ComponentGrid<1>& grid, const LineAtlas
   return centers;
 }
 
+const Box<2>& vicinity(const BodyAtlas& atlas) { return atlas.vicinity(); }
+const Box<1>& vicinity(const LineAtlas& atlas) { return atlas.reach(); }
+
+/// Whether a box in space may hold points whose side of the curve, or whose place on the body's grid, is new.
+bool near_interface(const BodyAtlas& atlas, const Frame<2>& frame, const Box<2>& box) {
+  if (!atlas.inward()) return true;
+  Box<2> in_body;
+  for (const double x : {box.low[0], box.high[0]})
+    for (const double y : {box.low[1], box.high[1]}) in_body.include(frame.to_body(Point<2>(x, y)));
+  return atlas.near_grid(in_body);
+}
+bool near_interface(const LineAtlas&, const Frame<1>&, const Box<1>&) { return true; }
+
 }  // namespace
 
 template <int Dim>
@@ -42,17 +55,28 @@ Overlap<Dim>::Overlap(const Communicator& comm, std::vector<ComponentGrid<Dim>>&
     tiles_.emplace_back(grid.masks.size());
     for (TileMask& mask : grid.masks) mask.active_count = grid.shape.count();
   }
-  for (const ComponentGrid<Dim>& grid : grids_) {
-    std::vector<double> distances;
-    std::vector<Point<Dim>> centers;
-    if (!grid.background()) {
-      const Atlas<Dim>& atlas = *bodies_[static_cast<std::size_t>(grid.body)].atlas;
-      centers = cell_centers(grid, atlas);
-      for (const Point<Dim>& X : centers) distances.push_back(atlas.distance(X));
-    }
-    body_centers_.push_back(std::move(centers));
-    own_distances_.push_back(std::move(distances));
-  }
+  reshaped_.assign(bodies_.size(), 0);
+  body_centers_.resize(grids_.size());
+  own_distances_.resize(grids_.size());
+  for (std::size_t g = 0; g < grids_.size(); ++g)
+    if (!grids_[g].background()) measure(g);
+}
+
+/// The centres of a body grid's cells and their distances from the body.
+template <int Dim>
+void Overlap<Dim>::measure(std::size_t g) {
+  const Atlas<Dim>& atlas = *bodies_[static_cast<std::size_t>(grids_[g].body)].atlas;
+  body_centers_[g] = cell_centers(grids_[g], atlas);
+  own_distances_[g].clear();
+  for (const Point<Dim>& X : body_centers_[g]) own_distances_[g].push_back(atlas.distance(X));
+}
+
+template <int Dim>
+void Overlap<Dim>::reshape(std::size_t body, std::shared_ptr<const Atlas<Dim>> atlas) {
+  bodies_[body].atlas = std::move(atlas);
+  reshaped_[body] = 1;
+  for (std::size_t g = 0; g < grids_.size(); ++g)
+    if (grids_[g].body == static_cast<int>(body)) measure(g);
 }
 
 template <int Dim>
@@ -89,20 +113,27 @@ bool Overlap<Dim>::note_motion(const std::vector<Pose<Dim>>& poses, bool fresh) 
   std::vector<Box<Dim>> swept;
   bool any = false;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    const std::uint8_t moves = fresh || poses_.empty() || !(poses[b] == poses_[b]);
+    const std::uint8_t moves = fresh || poses_.empty() || reshaped_[b] || !(poses[b] == poses_[b]);
     restless[b] = moves | moved_[b];
     moved_[b] = moves;
     any = any || restless[b];
   }
   if (!any) return false;
-  const std::vector<Box<Dim>> before = reaches_;
+  const std::vector<Box<Dim>> before = vicinities_;
+  std::swap(before_, now_);
+  now_.clear();
+  if (fresh) before_.clear();
   poses_ = poses;
   frames_.clear();
   reaches_.clear();
+  vicinities_.clear();
+  reshaped_.assign(bodies_.size(), 0);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     frames_.emplace_back(poses_[b]);
     reaches_.push_back(frames_[b].to_space(bodies_[b].atlas->reach()));
-    swept.push_back(reaches_[b]);
+    vicinities_.push_back(frames_[b].to_space(vicinity(*bodies_[b].atlas)));
+    now_.push_back({bodies_[b].atlas, frames_[b]});
+    swept.push_back(before_.empty() ? reaches_[b] : vicinities_[b]);
     if (before.empty()) continue;
     swept[b].low = swept[b].low.cwiseMin(before[b].low);
     swept[b].high = swept[b].high.cwiseMax(before[b].high);
@@ -113,6 +144,15 @@ bool Overlap<Dim>::note_motion(const std::vector<Pose<Dim>>& poses, bool fresh) 
     for (std::size_t a = 0; a < bodies_.size(); ++a)
       if (all || (restless[a] && (a == b || swept[a].meets(swept[b])))) touched_[b] = swept[b];
   return true;
+}
+
+/// Whether a body matters to the cells in `box` at this update. Of an inward body only the curve moves: what is far outside
+/// it stays covered.
+template <int Dim>
+bool Overlap<Dim>::touches(std::size_t body, const Box<Dim>& box) const {
+  if (!touched_[body].meets(box)) return false;
+  return before_.empty() || near_interface(*now_[body].atlas, now_[body].frame, box) ||
+         near_interface(*before_[body].atlas, before_[body].frame, box);
 }
 
 template <int Dim>
@@ -169,7 +209,9 @@ void Overlap<Dim>::cut_background(int g, bool fresh) {
   ComponentGrid<Dim>& grid = grids_[static_cast<std::size_t>(g)];
   for (int t = 0; t < grid.forest.local_count(); ++t) {
     const Box<Dim> box = grid.box(t).grown(4 * grid.spacing.maxCoeff());
-    if (std::none_of(touched_.begin(), touched_.end(), [&](const Box<Dim>& touched) { return touched.meets(box); })) continue;
+    bool touched = false;
+    for (std::size_t b = 0; b < bodies_.size() && !touched; ++b) touched = touches(b, box);
+    if (!touched) continue;
     TileMask& mask = grid.masks[static_cast<std::size_t>(t)];
     TileOverlap& tile = tile_of(g, t);
     tile.recut = true;
@@ -252,7 +294,7 @@ void Overlap<Dim>::cut_body_grid(int g, bool fresh) {
   for (int d = 0; d < Dim; ++d)
     if (periodic_[static_cast<std::size_t>(d)]) room.low[d] = -1e300, room.high[d] = 1e300;
   const auto surroundings = [&](std::size_t b) {  // a grid's own cells, and as far as it can cut another's
-    return frames_[b].to_space(bodies_[b].atlas->reach().grown(-5 * bodies_[b].spacing));
+    return frames_[b].to_space(vicinity(*bodies_[b].atlas).grown(-5 * bodies_[b].spacing));
   };
   const Box<Dim> own = surroundings(body).grown(bodies_[body].atlas->width());  // the edge of the domain cuts as a body does
   bool alone = room.contains(own.low) && room.contains(own.high);
@@ -381,7 +423,7 @@ double Overlap<Dim>::share(int grid, const Point<Dim>& x) const {
     if (!reaches_[b].contains(x)) continue;
     const double distance = bodies_[b].atlas->distance(frames_[b].to_body(x));
     const double outer = (bodies_[b].layers - 2) * bodies_[b].spacing;
-    const double s = std::clamp((outer - distance) / (options_.overlap * bodies_[b].spacing), 0.0, 1.0);
+    const double s = std::clamp((outer - distance) / (std::max(options_.overlap, 0.5) * bodies_[b].spacing), 0.0, 1.0);
     const double weight = s * s * (3 - 2 * s);
     background *= 1 - weight;
     if (static_cast<int>(b) == grids_[static_cast<std::size_t>(grid)].body) own = weight;

@@ -1,5 +1,5 @@
-// Interpolation from donors: tensor-product quadratics in logical coordinates, third-order accurate, clipped to the range of the
-// stencil so that no new extrema appear at shocks. Included by overlap.hpp.
+// Interpolation from donors: tensor-product quadratics in logical coordinates, third-order accurate, clipped (unless told
+// otherwise) to the range of the stencil so that no new extrema appear at shocks. Included by overlap.hpp.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@ inline std::array<double, 3> quadratic_weights(double r) { return {0.5 * r * (r 
 
 /// The donor's value in decoded variables.
 template <int Components, int Dim, class Decode>
-std::array<double, Components> interpolate(const Field<Dim>& field, const Donor<Dim>& donor, Decode&& decode) {
+std::array<double, Components> interpolate(const Field<Dim>& field, const Donor<Dim>& donor, Decode&& decode, bool clip = true) {
   constexpr int rows = Dim == 2 ? 3 : 1;
   const TileBlock& block = field.tile(donor.tile);
   const double* data = block.component(0) + donor.center;
@@ -34,7 +34,8 @@ std::array<double, Components> interpolate(const Field<Dim>& field, const Donor<
         high[c] = W[c] > high[c] ? W[c] : high[c];
       }
     }
-  for (std::size_t c = 0; c < Components; ++c) sum[c] = std::clamp(sum[c], low[c], high[c]);
+  if (clip)
+    for (std::size_t c = 0; c < Components; ++c) sum[c] = std::clamp(sum[c], low[c], high[c]);
   return sum;
 }
 
@@ -52,12 +53,12 @@ void Overlap<Dim>::fill(std::vector<Field<Dim>>& fields, Decode&& decode, Encode
   for (std::size_t g = 0; g < tiles_.size(); ++g)
     for (std::size_t t = 0; t < tiles_[g].size(); ++t)
       for (const Link& link : tiles_[g][t].links)
-        put(g, static_cast<int>(t), link.cell, interpolate<Components>(fields[static_cast<std::size_t>(link.donor.grid)], link.donor, decode));
+        put(g, static_cast<int>(t), link.cell, interpolate<Components>(fields[static_cast<std::size_t>(link.donor.grid)], link.donor, decode, options_.clip));
   if (comm_.size() == 1) return;
   std::vector<std::vector<Value>> outgoing(donors_.size());
   for (std::size_t r = 0; r < donors_.size(); ++r)
     for (const Donor<Dim>& donor : donors_[r])
-      outgoing[r].push_back(interpolate<Components>(fields[static_cast<std::size_t>(donor.grid)], donor, decode));
+      outgoing[r].push_back(interpolate<Components>(fields[static_cast<std::size_t>(donor.grid)], donor, decode, options_.clip));
   const std::vector<std::vector<Value>> incoming = comm_.exchange(outgoing);
   for (std::size_t r = 0; r < incoming.size(); ++r)
     for (std::size_t k = 0; k < incoming[r].size(); ++k) {
@@ -82,7 +83,7 @@ std::vector<std::array<double, Components>> Overlap<Dim>::sample(const std::vect
       Candidate candidate;
       Donor<Dim> donor;
       if (!locate(choices[k], points[p], candidate) || !accept(candidate, donor)) continue;
-      mine.push_back({interpolate<Components>(fields[static_cast<std::size_t>(donor.grid)], donor, decode), static_cast<int>(p),
+      mine.push_back({interpolate<Components>(fields[static_cast<std::size_t>(donor.grid)], donor, decode, options_.clip), static_cast<int>(p),
                       static_cast<int>(k)});
       break;
     }

@@ -30,6 +30,7 @@ namespace mortise {
 struct OverlapOptions {
   double overlap = 3;  // cells by which background and body grid are both active
   double margin = 1;   // cells by which the grids of two close bodies are both active on each other's side
+  bool clip = true;    // interpolated values to the range of the donor's stencil: off for smooth fields
   double least_gap = 3;  // cells between bodies, or a body and the edge of the domain, below which orphans may occur
 };
 
@@ -46,7 +47,7 @@ struct OverlapReport {
 template <int Dim>
 struct OverlapBody {
   std::shared_ptr<const Atlas<Dim>> atlas;
-  double spacing = 0;  // of the body's grids
+  double spacing = 0;  // of the body's grids, across
   int layers = 0;      // of the body's grids, the outer two of which are fringe
 };
 
@@ -135,6 +136,8 @@ class Overlap {
   void begin_cut(int grid, int tile, std::uint8_t active);
   void mark_fringe(int grid, int tile, Index<Dim> low, Index<Dim> high);
   void collect_receivers(int grid, int tile, const Index<Dim>& low, const Index<Dim>& high);
+  void measure(std::size_t grid);
+  bool touches(std::size_t body, const Box<Dim>& box) const;
   double edge_distance(const Point<Dim>& x) const;
   bool wanted_by_background(const Point<Dim>& x) const;
   bool wanted_by_body(int body, double own_distance, const Point<Dim>& x) const;
@@ -174,8 +177,15 @@ class Overlap {
   std::vector<Pose<Dim>> poses_;
   std::vector<Frame<Dim>> frames_;
   std::vector<Box<Dim>> reaches_;                      // of the bodies, in space
+  std::vector<Box<Dim>> vicinities_;                   // the same without an inward body's far side
+  struct Surroundings {
+    std::shared_ptr<const Atlas<Dim>> atlas;
+    Frame<Dim> frame;
+  };
+  std::vector<Surroundings> now_, before_;             // per body: at the last update, and at the one before that
   std::vector<Box<Dim>> touched_;                      // per body: where it is and was, if it matters to this update; else empty
   std::vector<std::uint8_t> moved_;                    // per body: at the last update
+  std::vector<std::uint8_t> reshaped_;                 // per body: since the last update
   std::vector<std::vector<Point<Dim>>> body_centers_;  // per grid: cell centres in the body's frame (body grids)
   std::vector<std::vector<double>> own_distances_;     // per grid: distance of the cell centres from the own body
 
