@@ -53,10 +53,10 @@ constexpr auto fluid_names() {
                                       "fluid.temperature"};
 }
 
-const std::array<std::string, 11> solid_names = {
-    "solid.displacement", "solid.displacement_x", "solid.displacement_y", "solid.velocity",
-    "solid.velocity_x",   "solid.velocity_y",     "solid.stress",         "solid.stress_xx",
-    "solid.stress_xy",    "solid.stress_yx",      "solid.stress_yy"};
+const std::array<std::string, 11> solid_names = {"solid.displacement", "solid.displacement_x", "solid.displacement_y",
+                                                 "solid.velocity",     "solid.velocity_x",     "solid.velocity_y",
+                                                 "solid.stress",       "solid.stress_xx",      "solid.stress_xy",
+                                                 "solid.stress_yx",    "solid.stress_yy"};
 
 std::array<double, solid_names.size()> solid_error(const Material& material, const ElasticState& state,
                                                    const ExactSolid& exact) {
@@ -69,8 +69,8 @@ std::array<double, solid_names.size()> solid_error(const Material& material, con
 const GrownGrid& undeformed(const FittedBody<2>& body) { return body.mesh ? *body.mesh : body.shape.atlas->grid(); }
 
 /// The fluid's side: pressures at its faces, whose middles had the reference positions of its own first grid.
-void add_pressures(const InterfaceState& interface, const GrownGrid& mesh, double p_inf,
-                   const ExactSolution<2>& exact, std::vector<double>& deviations) {
+void add_pressures(const InterfaceState& interface, const GrownGrid& mesh, double p_inf, const ExactSolution<2>& exact,
+                   std::vector<double>& deviations) {
   for (std::size_t f = 0; f < interface.pressure.size(); ++f) {
     const auto i = static_cast<int>(f);
     const auto known = exact.interface_at(0.5 * (mesh.node(i, 0) + mesh.node(i + 1, 0)), interface.half_time);
@@ -136,8 +136,9 @@ InterfaceDeviations interface_deviations(const Simulation<2>& simulation, const 
   const std::vector<InterfaceState> interfaces = simulation.interfaces();
   for (const SolidSetup& setup : simulation.setup().solids) {
     if (!setup.interface) continue;
-    const auto interface = std::find_if(interfaces.begin(), interfaces.end(),
-                                        [&](const InterfaceState& state) { return state.name == setup.interface->name; });
+    const auto interface = std::find_if(interfaces.begin(), interfaces.end(), [&](const InterfaceState& state) {
+      return state.name == setup.interface->name;
+    });
     if (interface == interfaces.end()) continue;
     const bool moved = simulation.steps() > 0;
     for (std::size_t n = 0; n < interface->nodes.size(); ++n) {

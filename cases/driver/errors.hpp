@@ -21,8 +21,8 @@ std::map<std::string, ErrorNorms> fluid_errors(const Simulation<Dim>& simulation
 template <int Dim>
 std::map<std::string, ErrorNorms> solid_errors(const Simulation<Dim>& simulation, const ExactSolution<Dim>& exact);
 
-/// What the interfaces of the solids deviate by at their nodes and, for the pressure, at the fluid's faces. Velocity and
-/// pressure are those of the middle of the last step and compared with the exact ones of that time; none before the
+/// What the interfaces of the solids deviate by at their nodes and, for the pressure, at the fluid's faces. Velocity
+/// and pressure are those of the middle of the last step and compared with the exact ones of that time; none before the
 /// first step.
 struct InterfaceDeviations {
   std::vector<double> position, velocity, pressure;

@@ -83,7 +83,8 @@ SolidGrid solid_grid(const ElasticSolver& solid, int g) {
     if (state != CellState::hole)
       mine.push_back({static_cast<std::int64_t>(index), state_in(field.tile(t), solid.law(), cell), state});
   });
-  SolidGrid out{.name = grid.name, .cells = grid.cells, .periodic = grid.periodic[0], .nodes = {}, .mask = {}, .states = {}};
+  SolidGrid out{
+      .name = grid.name, .cells = grid.cells, .periodic = grid.periodic[0], .nodes = {}, .mask = {}, .states = {}};
   for (int j = 0; j <= grid.cells[1]; ++j)
     for (int i = 0; i <= grid.cells[0]; ++i) out.nodes.push_back(solid.node(g, i, j));
   const auto n = static_cast<std::size_t>(grid.cells[0]) * static_cast<std::size_t>(grid.cells[1]);

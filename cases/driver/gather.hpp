@@ -6,8 +6,8 @@
 
 namespace mortise {
 
-/// The fluid's grids with density, velocity, pressure and Mach number, then the solids' (solid_snapshot.hpp); complete on
-/// every rank. Collective.
+/// The fluid's grids with density, velocity, pressure and Mach number, then the solids' (solid_snapshot.hpp); complete
+/// on every rank. Collective.
 template <int Dim>
 Snapshot gather_snapshot(const Simulation<Dim>& simulation);
 

@@ -18,8 +18,8 @@ std::array<double, static_cast<std::size_t>(euler_components<Dim>)> totals(const
     const int number = static_cast<int>(g);
     sums.add(g, grid, [&](int t, const Index<Dim>& c, std::size_t cell) {
       const bool shared = !grid.background() || grid.masks[static_cast<std::size_t>(t)].cut();
-      const double weight = fluid.cell_volume(number, t, c) *
-                            (shared ? fluid.share(number, fluid.cell_center(number, t, c)) : 1.0);
+      const double weight =
+          fluid.cell_volume(number, t, c) * (shared ? fluid.share(number, fluid.cell_center(number, t, c)) : 1.0);
       std::array<double, n> summand;
       for (std::size_t k = 0; k < n; ++k)
         summand[k] = weight * fluid.fields()[g].tile(t).component(static_cast<int>(k))[cell];
@@ -40,7 +40,8 @@ SolidTotals totals(const ElasticSolver& solid) {
       const ElasticState state = state_in(solid.fields()[g].tile(t), material.law, cell);
       if (state_of(grid.masks[static_cast<std::size_t>(t)], cell) == CellState::active)
         von_mises = std::max(von_mises, cauchy_stress_of(material, state).von_mises());
-      const Point<2> X = solid.cell_center(number, t, c), x = X + displacement_of(material, state), v = velocity_of(state);
+      const Point<2> X = solid.cell_center(number, t, c), x = X + displacement_of(material, state),
+                     v = velocity_of(state);
       const double volume = solid.cell_volume(number, t, c) * solid.share(number, X), m = material.density * volume;
       return {m,
               m * x.x(),
@@ -101,7 +102,8 @@ Closure closure_of(BoundaryKind kind) {
 Closure closure_of(const ElasticSide& side) {
   const bool free = side.kind == ElasticBoundary::periodic || side.kind == ElasticBoundary::interface ||
                     (side.kind == ElasticBoundary::traction && !side.value);
-  const bool resting = side.kind == ElasticBoundary::slip || (side.kind == ElasticBoundary::displacement && !side.value);
+  const bool resting =
+      side.kind == ElasticBoundary::slip || (side.kind == ElasticBoundary::displacement && !side.value);
   return {free || resting, free};
 }
 
@@ -135,8 +137,7 @@ SceneTotals<Dim> scene_totals(const Simulation<Dim>& simulation) {
   }
   const std::vector<double> pressures = reference_pressures(simulation.setup());
   const std::vector<InterfaceState> interfaces = simulation.interfaces();
-  for (std::size_t k = 0; k < interfaces.size(); ++k)
-    sum.reference_work += pressures[k] * area_below(interfaces[k]);
+  for (std::size_t k = 0; k < interfaces.size(); ++k) sum.reference_work += pressures[k] * area_below(interfaces[k]);
   return sum;
 }
 

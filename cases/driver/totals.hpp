@@ -1,5 +1,5 @@
-// What a scene contains: mass, momentum and energy of the fluid, of rigid bodies and of elastic solids, the same for any
-// number of ranks. Overlapping cells are shared out smoothly.
+// What a scene contains: mass, momentum and energy of the fluid, of rigid bodies and of elastic solids, the same for
+// any number of ranks. Overlapping cells are shared out smoothly.
 #pragma once
 
 #include <vector>
@@ -15,17 +15,17 @@ std::array<double, static_cast<std::size_t>(euler_components<Dim>)> totals(const
 /// One elastic solid. Non-dimensional.
 struct SolidTotals {
   double mass = 0;
-  Point<2> center = Point<2>::Zero();    // of mass, at present
+  Point<2> center = Point<2>::Zero();  // of mass, at present
   Point<2> momentum = Point<2>::Zero();
-  double angular_momentum = 0;           // about the centre of mass
+  double angular_momentum = 0;  // about the centre of mass
   double kinetic_energy = 0, strain_energy = 0;
-  double max_von_mises = 0;              // over active cells
+  double max_von_mises = 0;  // over active cells
 };
 /// Collective.
 SolidTotals totals(const ElasticSolver& solid);
 
-/// A scene as a whole. A structure is in equilibrium at the pressure p̃_e, so that E − p̃_e V is what its motion conserves,
-/// V being its volume up to a constant.
+/// A scene as a whole. A structure is in equilibrium at the pressure p̃_e, so that E − p̃_e V is what its motion
+/// conserves, V being its volume up to a constant.
 template <int Dim>
 struct SceneTotals {
   double mass = 0;  // of fluid and elastic solids
@@ -43,7 +43,7 @@ SceneTotals<Dim> scene_totals(const Simulation<Dim>& simulation);
 
 /// What cannot leave or enter a scene through its boundaries.
 struct Closure {
-  bool energy = false;    // and mass
+  bool energy = false;  // and mass
   bool momentum = false;
 };
 template <int Dim>
