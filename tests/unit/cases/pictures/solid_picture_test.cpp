@@ -108,6 +108,7 @@ TEST(SolidPicture, StripsAreCurvesAlongThem) {
       return -1;
     };
     EXPECT_EQ(row_of(-0.5, 0, true), -1);  // no density of the solid
+    EXPECT_LT(image.at(column(-0.5), 40).blue, image.at(column(0.5), 120).blue - 10);  // which is shaded
     EXPECT_GT(row_of(0.5, 0, false), 0);
     EXPECT_GT(row_of(-0.5, 1, true), row_of(0.5, 1, false) + 30);  // the velocity rises through both
     EXPECT_GT(row_of(0.5, 2, false), 0);
