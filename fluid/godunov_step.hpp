@@ -13,7 +13,7 @@
 
 #include <cstdint>
 
-#include "mortise/fluid/limiters.hpp"
+#include "mortise/grids/core/limiters.hpp"
 #include "mortise/fluid/state.hpp"
 #include "mortise/grids/forest/field.hpp"
 

@@ -10,7 +10,7 @@
 
 #include <array>
 
-#include "mortise/fluid/limiters.hpp"
+#include "mortise/grids/core/limiters.hpp"
 #include "mortise/fluid/state.hpp"
 
 namespace mortise {

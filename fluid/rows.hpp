@@ -9,7 +9,7 @@
 
 #include "mortise/fluid/godunov_step.hpp"
 #include "mortise/fluid/plane_metrics.hpp"
-#include "mortise/fluid/row_workspace.hpp"
+#include "mortise/grids/core/row_workspace.hpp"
 
 namespace mortise::rows {
 

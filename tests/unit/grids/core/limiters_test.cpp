@@ -1,4 +1,4 @@
-#include "mortise/fluid/limiters.hpp"
+#include "mortise/grids/core/limiters.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,4 +1,4 @@
-#include "mortise/fluid/row_workspace.hpp"
+#include "mortise/grids/core/row_workspace.hpp"
 
 #include <algorithm>
 #include <cstdlib>
