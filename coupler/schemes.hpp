@@ -12,8 +12,8 @@
 
 namespace mortise {
 
-/// Solution at the interface over one step. load = pressure and wall_velocity = velocity where the scheme has one answer
-/// for both sides; traditional has two velocities, anti-traditional two pressures.
+/// Solution at the interface over one step. load = pressure and wall_velocity = velocity where the scheme has one
+/// answer for both sides; traditional has two velocities, anti-traditional two pressures.
 struct InterfaceSolution {
   std::vector<double> pressure;         // p̃ per fluid face: what the fluid's flux gets
   std::vector<double> load;             // p̃ per fluid face: what the structure carries, makes `traction`
@@ -26,7 +26,7 @@ struct InterfaceSolution {
 struct InterfaceOptions {
   bool nonlinear = true;        // the fluid's full wall law; false: acoustic
   bool reference_load = false;  // (p − p_e) acts per reference area instead of per current area
-  bool lagged = false;          // traditional, anti-traditional: data of the last step; false: extrapolated to second order
+  bool lagged = false;  // traditional, anti-traditional: data of the last step; false: extrapolated to second order
   double reference_pressure = 0;  // p̃_e, at which the stress-free structure is in equilibrium (shifted like p̃)
   double tolerance = 1e-12;       // sub-iterations: change of the velocity over the fastest wave
   int most_iterations = 200;      // sub-iterations
@@ -41,8 +41,8 @@ struct InterfaceProblem {
   const WallLaw* law = nullptr;
 };
 
-/// What a scheme remembers of the last two steps, the last one first; empty before the first step. Lagged data are those
-/// of [0], extrapolated ones 2 [0] − [1] ([0] while there is one only).
+/// What a scheme remembers of the last two steps, the last one first; empty before the first step. Lagged data are
+/// those of [0], extrapolated ones 2 [0] − [1] ([0] while there is one only).
 struct InterfaceHistory {
   std::vector<std::vector<Point<2>>> wall_velocity;  // InterfaceSolution::velocity, the structure's own v_I
   std::vector<std::vector<double>> pressure;         // InterfaceSolution::load
@@ -50,7 +50,8 @@ struct InterfaceHistory {
   void remember(const InterfaceSolution& solution);  // after a step has been accepted
 };
 
-using InterfaceScheme = InterfaceSolution (*)(const InterfaceProblem&, const InterfaceHistory&, const InterfaceOptions&);
+using InterfaceScheme = InterfaceSolution (*)(const InterfaceProblem&, const InterfaceHistory&,
+                                              const InterfaceOptions&);
 
 /// projection, traditional, traditional-subiterated, anti-traditional.
 /// All throw NumericalError, naming the fluid face, when no solution exists (non-finite data).
@@ -58,7 +59,8 @@ const Registry<InterfaceScheme>& interface_schemes();
 
 /// t_I per structure face from the pressures of the fluid faces: −Σ_pieces (p − p_e) S of_fluid / L (or with the
 /// direction of S only, if reference_load). The force on all structure faces is that of all fluid faces to round-off.
-std::vector<Point<2>> tractions(const InterfaceProblem& problem, std::span<const double> pressure, const InterfaceOptions& options);
+std::vector<Point<2>> tractions(const InterfaceProblem& problem, std::span<const double> pressure,
+                                const InterfaceOptions& options);
 
 /// Velocities of the interface's nodes from those of the structure's faces, weights (1, 3, 3, 1)/8: the two-point mean
 /// lets a mode of three cells' wavelength grow on light soft solids. Open curve: linear extrapolation beyond its ends.

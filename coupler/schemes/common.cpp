@@ -63,7 +63,8 @@ WallPressure FaceFluid::operator()(double velocity) const {
 
 double wall_velocity(const FaceFluid& fluid, const FaceStructure& structure, double balance) {
   const double z = fluid.impedance();
-  const double of_velocity = 1 / (1 + structure.admittance * z), of_pressure = (1 - of_velocity) / z;
+  const double y = structure.admittance, of_velocity = 1 / (1 + y * z);
+  const double of_pressure = std::isinf(y) ? 1 / z : y * of_velocity;
   const auto g = [&](double v) {
     const WallPressure wall = fluid(v);
     return Balance{v, of_pressure * (wall.pressure - balance) + of_velocity * (v - structure.velocity),
@@ -76,6 +77,7 @@ double wall_velocity(const FaceFluid& fluid, const FaceStructure& structure, dou
     if (now.value == 0) return now.velocity;
     double step = -now.value / now.slope;
     if (!std::isfinite(step)) break;
+    if (std::abs(step) <= round_off) return now.velocity + step;
     Balance next = g(now.velocity + step);
     while (!(std::abs(next.value) < std::abs(now.value))) {
       step /= 2;
@@ -112,8 +114,9 @@ InterfaceSolution common_answer(const InterfaceProblem& problem, const Interface
   if (problem.transfer->matching())
     for (const Transfer::Piece& piece : problem.transfer->pieces()) {
       const Point<2> n = unit(problem.area[number(piece.fluid)]);
+      const Point<2> given = problem.structure[number(piece.structure)].admittance * n;
       Point<2>& v = solution.velocity[number(piece.structure)];
-      v += n * (velocity[number(piece.fluid)] - n.dot(v));
+      if (n.dot(given) > 0) v += given * ((velocity[number(piece.fluid)] - n.dot(v)) / n.dot(given));
     }
   solution.wall_velocity = solution.velocity;
   solution.load = pressure;

@@ -1,6 +1,6 @@
 // What the interface schemes share: the structure as a fluid face sees it, the fluid's wall law, and the scalar
 // equation of the interface. With y = 1/z_e ≥ 0, z = P'(v_f), all in the direction n of the fluid face,
-//   g(v) = w_p (P(v) − p_e) + w_v (v − v_e) = 0,   w_v = 1/(1 + y z),  w_p = (1 − w_v)/z = y/(1 + y z):
+//   g(v) = w_p (P(v) − p_e) + w_v (v − v_e) = 0,   w_v = 1/(1 + y z),  w_p = y w_v:
 // y = 0 is a rigid wall, v = v_e; y = ∞ has no inertia, P(v) = p_e. P is convex and increasing, so Newton's iterates
 // come down on the root from above; a first step from near vacuum, where P' ≈ 0, may go too far up and is halved.
 #pragma once
@@ -49,8 +49,8 @@ std::vector<double> normal_at_fluid_faces(const InterfaceProblem& problem, std::
 /// v_I = v_s + Z⁻¹(t_I − t_s) per structure face.
 std::vector<Point<2>> structure_velocity(const InterfaceProblem& problem, std::span<const Point<2>> traction);
 
-/// One answer (p, v per fluid face) for both sides. Where faces match, n·v_I is v to round-off even if Z⁻¹ is huge and
-/// t_I − t_s all cancellation.
+/// One answer (p, v per fluid face) for both sides. Where faces match, t_I − t_s in v_I is corrected along n by the
+/// round-off that makes n·v_I = v: on a structure of next to no mass Z⁻¹ would blow it up.
 InterfaceSolution common_answer(const InterfaceProblem& problem, const InterfaceOptions& options,
                                 std::vector<double> pressure, std::span<const double> velocity);
 

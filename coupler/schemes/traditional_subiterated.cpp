@@ -1,14 +1,15 @@
-// Traditional, sub-iterated: v_w → P(v_w) → v_I, repeated with v_w ← v_w + ω (v_I − v_w) until v_I = v_w, with Aitken's
-// relaxation for the whole interface, r = v_I − v_w of all faces:
-//   ω' = −ω r·(r' − r)/|r' − r|².
-// The fixed point is the projection's answer where faces match (elsewhere it couples neighbouring faces, the projection
-// averages them). Source: Küttler & Wall, Comput. Mech. 43 (2008) 61, section 3.2.
-
-#include "mortise/coupler/schemes/common.hpp"
+// Traditional, sub-iterated: u → P(u) → v_I → n·v_I, u the wall's normal velocity that the fluid's faces see, repeated
+// with u ← u + ω r, r = n·v_I − u, until r = 0; Aitken's relaxation for the whole interface:
+//   ω' = −ω r·(r' − r)/|r' − r|², kept within [0.01 ω, 4 ω].
+// Without these limits a light structure and a strong wave may throw the iterates from vacuum to shock and back for
+// ever. The fixed point is the projection's answer where faces match; elsewhere it couples neighbouring fluid faces
+// through the structure's faces they share, which the projection averages. Source: Küttler & Wall, Comput. Mech. 43
+// (2008) 61, section 3.2.
 
 #include <algorithm>
 #include <cmath>
 
+#include "mortise/coupler/schemes/common.hpp"
 #include "mortise/grids/core/error.hpp"
 
 namespace mortise::schemes {
@@ -16,54 +17,55 @@ namespace mortise::schemes {
 namespace {
 
 constexpr double first_relaxation = 0.1;
+constexpr double least_growth = 0.01, most_growth = 4;  // of ω per iteration
 
-/// The structure's answer to a moving wall.
-struct Answer {
-  std::vector<double> pressure;
-  std::vector<Point<2>> traction, velocity;
-};
+using Values = std::vector<double>;  // per fluid face
 
-Answer answer(const InterfaceProblem& problem, const InterfaceOptions& options, const std::vector<FaceFluid>& fluid,
-              std::span<const Point<2>> wall) {
-  Answer to;
-  const std::vector<double> normal = normal_at_fluid_faces(problem, wall);
-  for (const FaceFluid& face : fluid) to.pressure.push_back(face(normal[face.face()]).pressure);
-  to.traction = tractions(problem, to.pressure, options);
-  to.velocity = structure_velocity(problem, to.traction);
-  return to;
+Values pressures(const std::vector<FaceFluid>& fluid, const Values& wall) {
+  Values pressure;
+  for (const FaceFluid& face : fluid) pressure.push_back(face(wall[face.face()]).pressure);
+  return pressure;
 }
 
-std::vector<Point<2>> difference(const std::vector<Point<2>>& a, const std::vector<Point<2>>& b) {
-  std::vector<Point<2>> d(a.size());
-  for (std::size_t i = 0; i < a.size(); ++i) d[i] = a[i] - b[i];
-  return d;
+/// r: the structure's answer to the load of these pressures, less the wall's velocity.
+Values residual_of(const InterfaceProblem& problem, const InterfaceOptions& options, const Values& pressure,
+                   const Values& wall) {
+  const std::vector<Point<2>> velocity = structure_velocity(problem, tractions(problem, pressure, options));
+  Values residual = normal_at_fluid_faces(problem, velocity);
+  for (std::size_t b = 0; b < wall.size(); ++b) residual[b] -= wall[b];
+  return residual;
 }
 
-double dot(const std::vector<Point<2>>& a, const std::vector<Point<2>>& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].dot(b[i]);
-  return sum;
+double aitken(double relaxation, const Values& before, const Values& now) {
+  double product = 0, square = 0;
+  for (std::size_t b = 0; b < now.size(); ++b) {
+    const double change = now[b] - before[b];
+    product += before[b] * change;
+    square += change * change;
+  }
+  if (square == 0) return relaxation;
+  return std::clamp(-relaxation * product / square, least_growth * relaxation, most_growth * relaxation);
 }
 
-double aitken(double relaxation, const std::vector<Point<2>>& before, const std::vector<Point<2>>& now) {
-  const std::vector<Point<2>> change = difference(now, before);
-  const double square = dot(change, change);
-  return square > 0 ? -relaxation * dot(before, change) / square : relaxation;
-}
-
-/// Largest change of a velocity that the residual still asks for, over the fastest wave: r/(1 + z_f/z_e)/c.
-double largest_change(const InterfaceProblem& problem, const std::vector<FaceFluid>& fluid,
-                      const std::vector<FaceStructure>& structure, std::span<const Point<2>> residual) {
-  const std::vector<double> normal = normal_at_fluid_faces(problem, residual);
+/// Largest change of a velocity that the residual still asks for, r/(1 + z_f/z_e), over the fastest sound speed.
+double largest_change(const std::vector<FaceFluid>& fluid, const std::vector<FaceStructure>& structure,
+                      const Values& residual) {
   double largest = 0, fastest = 0;
   for (const FaceFluid& face : fluid) {
     const std::size_t b = face.face();
-    const double change = std::abs(normal[b]) / (1 + structure[b].admittance * face.impedance());
+    const double change = std::abs(residual[b]) / (1 + structure[b].admittance * face.impedance());
     if (!std::isfinite(change)) return change;
     largest = std::max(largest, change);
     fastest = std::max(fastest, face.sound_speed());
   }
   return largest / fastest;
+}
+
+Values first_guess(const InterfaceProblem& problem, const InterfaceHistory& history, bool lagged) {
+  if (!history.wall_velocity.empty()) return normal_at_fluid_faces(problem, predicted(history.wall_velocity, lagged));
+  std::vector<Point<2>> velocity;
+  for (const StructureTrace& trace : problem.structure) velocity.push_back(trace.velocity);
+  return normal_at_fluid_faces(problem, velocity);
 }
 
 }  // namespace
@@ -74,23 +76,20 @@ InterfaceSolution traditional_subiterated(const InterfaceProblem& problem, const
   for (std::size_t b = 0; b < problem.fluid.size(); ++b) fluid.emplace_back(problem, options, b);
   const std::vector<FaceStructure> structure = structure_at_fluid_faces(problem, options);
 
-  std::vector<Point<2>> wall;
-  if (history.wall_velocity.empty())
-    for (const StructureTrace& trace : problem.structure) wall.push_back(trace.velocity);
-  else
-    wall = predicted(history.wall_velocity, options.lagged);
-
+  Values wall = first_guess(problem, history, options.lagged), before;
   double relaxation = first_relaxation, change = 0;
-  std::vector<Point<2>> before;
   for (int iteration = 1; iteration <= options.most_iterations; ++iteration) {
-    Answer now = answer(problem, options, fluid, wall);
-    const std::vector<Point<2>> residual = difference(now.velocity, wall);
-    change = largest_change(problem, fluid, structure, residual);
-    if (change <= options.tolerance)
-      return {now.pressure, now.pressure, std::move(now.traction), wall, wall, iteration};
+    Values pressure = pressures(fluid, wall);
+    const Values residual = residual_of(problem, options, pressure, wall);
+    change = largest_change(fluid, structure, residual);
+    if (change <= options.tolerance) {
+      InterfaceSolution solution = common_answer(problem, options, std::move(pressure), wall);
+      solution.iterations = iteration;
+      return solution;
+    }
     if (!std::isfinite(change)) break;
     if (!before.empty()) relaxation = aitken(relaxation, before, residual);
-    for (std::size_t i = 0; i < wall.size(); ++i) wall[i] += relaxation * residual[i];
+    for (std::size_t b = 0; b < wall.size(); ++b) wall[b] += relaxation * residual[b];
     before = residual;
   }
   throw NumericalError("sub-iterations at the interface did not converge in " +
