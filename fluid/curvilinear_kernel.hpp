@@ -35,6 +35,8 @@ class CurvilinearKernel {
       reconstruct(*this, r);
       if (r == 0 && tile_.south.present)
         wall_fluxes(*this);
+      else if (r == ny_ && tile_.north_mirror)
+        mirror_fluxes(*this);
       else if (r >= 0)
         south_fluxes(*this, r);
       if (r >= 1) {
@@ -169,6 +171,17 @@ class CurvilinearKernel {
       rows::store_conserved<2>(G + i, s,
                                Solver::flux(rows::load_primitive<2>(below + i, s),
                                             rows::load_primitive<2>(souths + i, s), k.face(edges + i), k.gamma_));
+  }
+  /// The north side as a wall: the pressure of the Riemann problem with the mirror image. Nothing passes, to the bit.
+  static void mirror_fluxes(const CurvilinearKernel k) {
+    double *const below = k.pair(north, 4, k.ny_ - 1), *const G = k.pair(y_flux, 4, k.ny_),
+                  *const edges = k.pair(south_edge, 4, k.ny_);
+    for (int i = row_start; i < k.nx_ + 2; i += simd_width) {
+      const PlaneFace<Pack> face = k.face(edges + i);
+      const State W = rows::load_primitive<2>(below + i, k.stride_);
+      const Flux flux = Solver::flux(W, mirrored(W, face), face, k.gamma_);
+      rows::store_conserved<2>(G + i, k.stride_, wall_flux<2>(face.over_area2(face.normal(flux.momentum)), face));
+    }
   }
   /// The pressure is given per cell of the tile: it is copied to a row that may be read in whole vectors.
   static void wall_fluxes(const CurvilinearKernel k) {

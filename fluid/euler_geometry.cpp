@@ -46,8 +46,7 @@ void EulerSolver<Dim>::read_nodes(const GrownGrid& mesh, int g, int t, std::arra
     for (std::vector<double>& plane : nodes) plane.resize(shape.plane);
     for (int j = -shape.ghosts; j < shape.cells[1] + shape.ghosts; ++j)
       for (int i = -shape.ghosts; i < shape.cells[0] + shape.ghosts; ++i) {
-        const bool inside = i0 + i >= 0 && i0 + i < mesh.row() && j0 + j >= 0 && j0 + j <= mesh.layers;
-        const Point<2> X = inside ? mesh.nodes[static_cast<std::size_t>((j0 + j) * mesh.row() + i0 + i)] : mesh.node(i0 + i, j0 + j);
+        const Point<2> X = mesh.node(i0 + i, j0 + j);
         nodes[0][shape.at(i, j)] = X[0];
         nodes[1][shape.at(i, j)] = X[1];
       }

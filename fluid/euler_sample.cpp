@@ -58,7 +58,8 @@ std::vector<typename EulerSolver<Dim>::Values> EulerSolver<Dim>::sample(std::spa
   Values nowhere;
   nowhere.fill(std::numeric_limits<double>::quiet_NaN());
   std::vector<Values> values(points.size(), nowhere);
-  for (const Item& item : comm_.gather_all(mine)) values[item.point] = item.values;
+  const std::vector<Item> all = comm_.gather_all(mine);
+  for (const Item& item : all) values[item.point] = item.values;
   return values;
 }
 

@@ -137,7 +137,7 @@ void EulerSolver<Dim>::fill_inner_edges(int g, double time) {
   }
 }
 
-/// Ghost layers beyond the sides of a mesh; the wall needs none.
+/// Ghost layers beyond the sides of a mesh.
 template <int Dim>
 void EulerSolver<Dim>::fill_sides(int g, double time) {
   if constexpr (Dim == 2) {

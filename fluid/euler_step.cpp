@@ -60,6 +60,8 @@ StepResult EulerSolver<Dim>::step_tile(int g, int t, const std::vector<BodyPath<
       (grid.side > 0 ? tile.left : tile.right) = WallSide{.present = true, .pressure = pressure[body].data() + (grid.side > 0 && two_sided ? 1 : 0)};
     }
   }
+  if constexpr (Dim == 2)
+    tile.north_mirror = !overlap_ && setup_.bodies[body].sides[3] == BoundaryKind::wall && grid.first_cell(t)[1] + grid.shape.cells[1] == grid.cells[1];
   return godunov_step(tile, dt, setup_.options);
 }
 

@@ -89,6 +89,14 @@ MORTISE_INLINE T sound_speed(const Primitive<Dim, T>& W, double gamma) {
   return stiffness * inverse_sqrt(stiffness * W.density);
 }
 
+/// The state with its velocity relative to a plane face reflected.
+template <class T>
+MORTISE_INLINE Primitive<2, T> mirrored(const Primitive<2, T>& W, const PlaneFace<T>& face) {
+  Primitive<2, T> image = W;
+  face.add_normal(image.velocity, -2.0 * face.over_area2(face.relative(face.normal(W.velocity))));
+  return image;
+}
+
 /// Flux through a solid wall that exerts the pressure p̃: (0, p̃S, p̃ w·S).
 template <int Dim, class T, class Face>
 MORTISE_INLINE Conserved<Dim, T> wall_flux(T pressure, const Face& face) {
