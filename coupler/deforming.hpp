@@ -44,6 +44,7 @@ struct InterfaceState {
   std::vector<Point<2>> fluid_nodes;             // present positions of the fluid's layer 0, in its order
   Point<2> force = Point<2>::Zero();             // of the fluid on the structure, mean over the last step
   double half_time = 0;                          // node velocities and pressure are those of this time
+  Point<2> period = Point<2>::Zero();            // periodic: node n + faces is node n + period
 };
 
 /// One interface between a structure and the fluid grid around it, from step to step. Holds no fluid and no solid state.

@@ -17,6 +17,13 @@ struct CauchyStress {
   double von_mises() const;
 };
 
+/// The state in a cell of a tile.
+inline ElasticState state_in(const TileBlock& block, StressLaw law, std::size_t cell) {
+  ElasticState state{};
+  for (int c = 0; c < elastic_components(law); ++c) state[static_cast<std::size_t>(c)] = block.component(c)[cell];
+  return state;
+}
+
 /// v and u of a state, in the order of components of elastic_step.hpp.
 inline Point<2> velocity_of(const ElasticState& state) { return {state[0], state[1]}; }
 inline Point<2> displacement_of(const Material& material, const ElasticState& state) {

@@ -105,7 +105,7 @@ int program(int argc, const char* const* argv) {
       ->add_option("what", arguments.what, "cases, schemes, riemann, limiters, shapes, boundaries, initial, exact, pictures, keys");
   CLI::App* render = app.add_subcommand("render", "make pictures from a finished run");
   render->add_option("directory", arguments.directory, "output directory of the run")->required();
-  render->add_option("--field", arguments.field, "schlieren, pressure, velocity, mach, density, grids")->default_val("schlieren");
+  render->add_option("--field", arguments.field, "schlieren, pressure, velocity, mach, density, stress, grids")->default_val("schlieren");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

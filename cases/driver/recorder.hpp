@@ -7,9 +7,9 @@
 #include <optional>
 #include <string>
 
-#include "mortise/cases/driver/gather.hpp"
+#include "mortise/cases/driver/histories.hpp"
+#include "mortise/cases/driver/tiles.hpp"
 #include "mortise/cases/input/case_description.hpp"
-#include "mortise/grids/output/csv.hpp"
 #include "mortise/grids/output/xdmf.hpp"
 
 namespace mortise {
@@ -17,10 +17,11 @@ namespace mortise {
 template <int Dim>
 class Recorder {
  public:
-  /// resume_time: keep what an earlier run wrote up to then.
-  Recorder(const CaseDescription& description, std::string directory, const Communicator& comm, std::optional<double> resume_time);
+  /// resume_time: keep what an earlier run wrote up to then. Collective.
+  Recorder(const CaseDescription& description, const Simulation<Dim>& simulation, std::string directory,
+           const Communicator& comm, std::optional<double> resume_time);
 
-  /// A row per body and probe. Collective.
+  /// A row per body, probe and interface. Collective.
   void histories(const Simulation<Dim>& simulation);
   /// Fields and pictures of this instant. Collective.
   void frame(const Simulation<Dim>& simulation, int number);
@@ -38,7 +39,7 @@ class Recorder {
   std::string directory_;
   Communicator comm_;
   std::optional<SeriesWriter> series_;
-  std::optional<CsvWriter> bodies_, probes_;
+  Histories<Dim> histories_;
   std::string last_picture_;
   std::exception_ptr failure_;  // the first, on rank 0
 };

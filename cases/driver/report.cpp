@@ -8,38 +8,65 @@
 #include <limits>
 
 #include "mortise/cases/driver/agreement.hpp"
+#include "mortise/cases/driver/errors.hpp"
+#include "mortise/cases/driver/interface_measures.hpp"
 
 namespace mortise {
 namespace {
 
-template <int Dim>
-bool closed(const Boundaries<Dim>& boundaries) {
-  return std::all_of(boundaries.kind.begin(), boundaries.kind.end(),
-                     [](BoundaryKind kind) { return kind == BoundaryKind::wall || kind == BoundaryKind::periodic; });
+std::vector<double> numbers(const Point<2>& x) { return {x.x(), x.y()}; }
+
+std::string key_of(StressLaw law) {
+  for (const std::string& key : stress_laws().keys())
+    if (stress_laws().at(key) == law) return key;
+  return "";
+}
+
+SolidSummary summary_of(const ElasticSolver& solid) {
+  const SolidTotals part = totals(solid);
+  return {.name = solid.setup().name,
+          .law = key_of(solid.law()),
+          .mass = part.mass,
+          .position = numbers(part.center),
+          .velocity = numbers(part.momentum / part.mass),
+          .momentum = numbers(part.momentum),
+          .angular_momentum = part.angular_momentum,
+          .kinetic_energy = part.kinetic_energy,
+          .strain_energy = part.strain_energy,
+          .least_j = solid.least_j(),
+          .max_von_mises = part.max_von_mises};
+}
+
+InterfaceSummary summary_of(const InterfaceState& interface, double p_inf) {
+  const InterfaceMeasures m = measure(interface, p_inf);
+  return {.name = interface.name,
+          .low = numbers(m.box.low),
+          .high = numbers(m.box.high),
+          .area = m.area,
+          .pressure = m.pressure,
+          .velocity = numbers(m.velocity),
+          .force = numbers(m.force)};
 }
 
 template <int Dim>
-bool all_periodic(const Boundaries<Dim>& boundaries) {
-  return std::all_of(boundaries.kind.begin(), boundaries.kind.end(), [](BoundaryKind kind) { return kind == BoundaryKind::periodic; });
-}
-
-/// Totals of gas and bodies: mass, momentum, energy.
-template <int Dim>
-std::array<double, static_cast<std::size_t>(euler_components<Dim>)> scene_totals(const Simulation<Dim>& simulation) {
-  auto sum = totals(simulation);
-  for (const RigidBody<Dim>& body : simulation.bodies()) {
-    for (int d = 0; d < Dim; ++d) sum[static_cast<std::size_t>(1 + d)] += body.mass * body.y[d];
-    sum[Dim + 1] += body.kinetic_energy();
-  }
-  return sum;
+std::int64_t cell_count(const ComponentGrid<Dim>& grid) {
+  std::int64_t cells = 1;
+  for (const int n : grid.cells) cells *= n;
+  return cells;
 }
 
 }  // namespace
 
 template <int Dim>
-RunReport<Dim>::RunReport(const CaseDescription& description, const Scene<Dim>& scene, Simulation<Dim>& simulation, const Communicator& comm)
-    : description_(description), scene_(scene), simulation_(simulation), comm_(comm), last_time_(simulation.time()) {
-  if (closed(simulation_.fluid().setup().boundaries)) initial_totals_ = scene_totals(simulation_);
+RunReport<Dim>::RunReport(const CaseDescription& description, const Scene<Dim>& scene, Simulation<Dim>& simulation,
+                          const Communicator& comm)
+    : description_(description),
+      scene_(scene),
+      simulation_(simulation),
+      comm_(comm),
+      closure_(closure(simulation)),
+      last_time_(simulation.time()) {
+  if (closure_.energy) initial_totals_ = scene_totals(simulation_);
 }
 
 template <int Dim>
@@ -50,46 +77,56 @@ void RunReport<Dim>::failed(const std::string& status, const std::string& reason
 
 template <int Dim>
 std::vector<double> RunReport<Dim>::totals_so_far() const {
-  std::vector<double> totals(initial_totals_.begin(), initial_totals_.end());
-  for (const std::int64_t count : {tight_, earlier_contacts_ + simulation_.contacts(), earlier_repeated_steps_ + simulation_.repeats()})
+  std::vector<double> totals = initial_totals_.state();
+  for (const std::int64_t count :
+       {tight_, earlier_contacts_ + simulation_.contacts(), earlier_repeated_steps_ + simulation_.repeats()})
     totals.push_back(static_cast<double>(count));
-  totals.push_back(tracked_time_);
-  for (const ErrorNorms& norms : {interface_velocity_, interface_position_}) totals.insert(totals.end(), {norms.l1, norms.l2, norms.max});
+  for (const TimeNorms* norms : {&interface_velocity_, &interface_position_, &interface_pressure_}) {
+    const std::vector<double> state = norms->state();
+    totals.insert(totals.end(), state.begin(), state.end());
+  }
   return totals;
 }
 
 template <int Dim>
 void RunReport<Dim>::resume(const std::vector<double>& totals) {
   const double* next = totals.data();
-  for (double& total : initial_totals_) total = *next++;
-  for (std::int64_t* count : {&tight_, &earlier_contacts_, &earlier_repeated_steps_}) *count = static_cast<std::int64_t>(*next++);
-  tracked_time_ = *next++;
-  for (ErrorNorms* norms : {&interface_velocity_, &interface_position_})
-    for (double* norm : {&norms->l1, &norms->l2, &norms->max}) *norm = *next++;
+  initial_totals_.resume(next);
+  next += SceneTotals<Dim>::size;
+  for (std::int64_t* count : {&tight_, &earlier_contacts_, &earlier_repeated_steps_})
+    *count = static_cast<std::int64_t>(*next++);
+  for (TimeNorms* norms : {&interface_velocity_, &interface_position_, &interface_pressure_}) {
+    norms->resume(next);
+    next += TimeNorms::size;
+  }
 }
 
 template <int Dim>
 void RunReport<Dim>::track() {
-  tight_ += simulation_.fluid().overlap().report().tight;
-  if (!scene_.exact) return;
-  const auto motions = scene_.exact->bodies(simulation_.time());
-  if (!motions || simulation_.time() > scene_.exact->valid_until()) return;
+  tight_ += simulation_.fluid().overlap_report().tight;
+  if (!scene_.exact || simulation_.time() > scene_.exact->valid_until()) return;
   const double dt = simulation_.time() - last_time_;
   last_time_ = simulation_.time();
-  tracked_time_ += dt;
+  track_bodies(dt);
+  const InterfaceDeviations deviations = interface_deviations(simulation_, *scene_.exact);
+  interface_position_.add(deviations.position, dt);
+  interface_velocity_.add(deviations.velocity, dt);
+  interface_pressure_.add(deviations.pressure, dt);
+}
+
+/// Of all rigid bodies the one that is farthest off counts.
+template <int Dim>
+void RunReport<Dim>::track_bodies(double dt) {
+  const auto motions = scene_.exact->bodies(simulation_.time());
+  if (!motions) return;
   double velocity = 0, position = 0;
   for (std::size_t b = 0; b < motions->size(); ++b) {
     const RigidBody<Dim>& body = simulation_.bodies()[b];
     velocity = std::max(velocity, (body.y.template head<Dim>() - (*motions)[b].velocity).norm());
     position = std::max(position, (body.pose.position - (*motions)[b].pose.position).norm());
   }
-  const auto add = [dt](ErrorNorms& norms, double error) {
-    norms.l1 += error * dt;
-    norms.l2 += error * error * dt;
-    norms.max = std::max(norms.max, error);
-  };
-  add(interface_velocity_, velocity);
-  add(interface_position_, position);
+  interface_velocity_.add(std::span(&velocity, 1), dt);
+  interface_position_.add(std::span(&position, 1), dt);
 }
 
 template <int Dim>
@@ -111,21 +148,9 @@ RunSummary RunReport<Dim>::collect(double wall_seconds) {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   summary.memory_bytes = comm_.sum(static_cast<std::int64_t>(usage.ru_maxrss) * 1024);
-  for (const ComponentGrid<Dim>& grid : simulation_.fluid().grids()) {
-    std::int64_t cells = 1;
-    for (const int n : grid.cells) cells *= n;
-    summary.cells.emplace_back(grid.name, cells);
-  }
-  for (const RigidBody<Dim>& body : simulation_.bodies()) {
-    BodySummary out{.name = body.name, .position = {}, .velocity = {}, .angle = body.pose.angle, .angular_velocity = Dim == 2 ? body.y[degrees_of_freedom<Dim> - 1] : 0.0};
-    for (int d = 0; d < Dim; ++d) {
-      out.position.push_back(body.pose.position[d]);
-      out.velocity.push_back(body.y[d]);
-    }
-    summary.bodies.push_back(out);
-  }
-  const OverlapReport overlap = simulation_.fluid().overlap().census();
-  summary.overlap = {overlap.orphans, overlap.fringe, overlap.holes, tight_};
+  add_grids(summary);
+  add_bodies(summary);
+  add_solids(summary);
   summary.contacts = earlier_contacts_ + simulation_.contacts();
   summary.repeated_steps = earlier_repeated_steps_ + simulation_.repeats();
   summary.provenance = provenance();
@@ -134,33 +159,81 @@ RunSummary RunReport<Dim>::collect(double wall_seconds) {
 }
 
 template <int Dim>
-void RunReport<Dim>::write(const std::string& path, double wall_seconds) {
-  RunSummary summary = collect(wall_seconds);
-  if (scene_.exact && finished() && simulation_.time() <= scene_.exact->valid_until()) {
-    if (scene_.exact->describes_fluid())
-      for (const auto& [name, norms] : fluid_errors(simulation_, *scene_.exact)) summary.errors.emplace_back(name, norms);
-    if (tracked_time_ > 0)
-      for (auto [name, norms] : {std::pair("interface.position", interface_position_), std::pair("interface.velocity", interface_velocity_)})
-        summary.errors.emplace_back(name, ErrorNorms{norms.l1 / tracked_time_, std::sqrt(norms.l2 / tracked_time_), norms.max});
+void RunReport<Dim>::add_grids(RunSummary& summary) const {
+  for (const ComponentGrid<Dim>& grid : simulation_.fluid().grids())
+    summary.cells.emplace_back(grid.name, cell_count(grid));
+  for (const auto& solid : simulation_.solids())
+    for (const ComponentGrid<2>& grid : solid->grids()) summary.cells.emplace_back(grid.name, cell_count(grid));
+  const OverlapReport overlap = simulation_.fluid().overlap_census();
+  summary.overlap = {overlap.orphans, overlap.fringe, overlap.holes, tight_};
+}
+
+template <int Dim>
+void RunReport<Dim>::add_bodies(RunSummary& summary) const {
+  for (const RigidBody<Dim>& body : simulation_.bodies()) {
+    BodySummary out{.name = body.name,
+                    .position = {},
+                    .velocity = {},
+                    .angle = body.pose.angle,
+                    .angular_velocity = Dim == 2 ? body.y[degrees_of_freedom<Dim> - 1] : 0.0};
+    for (int d = 0; d < Dim; ++d) {
+      out.position.push_back(body.pose.position[d]);
+      out.velocity.push_back(body.y[d]);
+    }
+    summary.bodies.push_back(out);
   }
-  const Boundaries<Dim>& boundaries = simulation_.fluid().setup().boundaries;
-  if (finished() && closed(boundaries)) {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    const auto now = scene_totals(simulation_);
-    const auto change = [&](std::size_t k, double scale) { return (now[k] - initial_totals_[k]) / scale; };
-    double momentum = 0;
-    for (std::size_t d = 0; d < Dim; ++d) momentum = std::max(momentum, std::fabs(change(1 + d, std::sqrt(initial_totals_[0] * initial_totals_[Dim + 1]))));
-    summary.conservation = {change(0, initial_totals_[0]), all_periodic(boundaries) ? momentum : nan, change(Dim + 1, initial_totals_[Dim + 1])};
-  }
+}
+
+template <int Dim>
+void RunReport<Dim>::add_solids(RunSummary& summary) const {
+  for (const auto& solid : simulation_.solids()) summary.solids.push_back(summary_of(*solid));
+  for (const InterfaceState& interface : simulation_.interfaces())
+    summary.interfaces.push_back(summary_of(interface, simulation_.fluid().setup().gas.p_inf));
+}
+
+template <int Dim>
+void RunReport<Dim>::add_errors(RunSummary& summary) const {
+  if (!scene_.exact || !finished() || simulation_.time() > scene_.exact->valid_until()) return;
+  if (scene_.exact->describes_fluid() && !simulation_.fluid().grids().empty())
+    for (const auto& entry : fluid_errors(simulation_, *scene_.exact)) summary.errors.push_back(entry);
+  if (scene_.exact->describes_solid() && !simulation_.solids().empty())
+    for (const auto& entry : solid_errors(simulation_, *scene_.exact)) summary.errors.push_back(entry);
+  for (const auto& [name, norms] :
+       {std::pair("interface.position", &interface_position_), std::pair("interface.velocity", &interface_velocity_),
+        std::pair("interface.pressure", &interface_pressure_)})
+    if (!norms->empty()) summary.errors.emplace_back(name, norms->norms());
+}
+
+template <int Dim>
+void RunReport<Dim>::add_conservation(RunSummary& summary) const {
+  if (!finished() || !closure_.energy) return;
+  const SceneTotals<Dim> now = scene_totals(simulation_), &then = initial_totals_;
+  const double momentum = (now.momentum - then.momentum).cwiseAbs().maxCoeff() / std::sqrt(then.mass * then.energy);
+  summary.conservation = {(now.mass - then.mass) / then.mass,
+                          closure_.momentum ? momentum : std::numeric_limits<double>::quiet_NaN(),
+                          (now.energy - now.reference_work - then.energy + then.reference_work) / then.energy};
+}
+
+template <int Dim>
+void RunReport<Dim>::write_headline(const RunSummary& summary) {
   char line[256];
-  std::snprintf(line, sizeof line, "%s at t = %.6g, %lld steps, %.3g s, %.1f million cell updates/s, %.0f %% skipped", summary.status.c_str(),
-                summary.time, static_cast<long long>(summary.steps), wall_seconds, 1e-6 * summary.cell_updates / std::max(wall_seconds, 1e-9),
-                100 * summary.skipped_fraction);
+  std::snprintf(line, sizeof line, "%s at t = %.6g, %lld steps, %.3g s, %.1f million cell updates/s, %.0f %% skipped",
+                summary.status.c_str(), summary.time, static_cast<long long>(summary.steps), summary.wall_seconds,
+                1e-6 * summary.cell_updates / std::max(summary.wall_seconds, 1e-9), 100 * summary.skipped_fraction);
   headline_ = line;
   for (const auto& [name, norms] : summary.errors) {
-    std::snprintf(line, sizeof line, "\n  error %-22s L1 %.3e  L2 %.3e  max %.3e", name.c_str(), norms.l1, norms.l2, norms.max);
+    std::snprintf(line, sizeof line, "\n  error %-22s L1 %.3e  L2 %.3e  max %.3e", name.c_str(), norms.l1, norms.l2,
+                  norms.max);
     headline_ += line;
   }
+}
+
+template <int Dim>
+void RunReport<Dim>::write(const std::string& path, double wall_seconds) {
+  RunSummary summary = collect(wall_seconds);
+  add_errors(summary);
+  add_conservation(summary);
+  write_headline(summary);
   agree(comm_, [&] {
     if (comm_.rank() == 0) write_summary(summary, path);
   });

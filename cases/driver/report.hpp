@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "mortise/cases/driver/gather.hpp"
+#include "mortise/cases/driver/time_norms.hpp"
+#include "mortise/cases/driver/totals.hpp"
 #include "mortise/cases/input/case_description.hpp"
 #include "mortise/cases/scene/scene.hpp"
 #include "mortise/cases/summary/summary.hpp"
@@ -15,9 +16,10 @@ template <int Dim>
 class RunReport {
  public:
   /// Takes the totals at the start of the run. Collective.
-  RunReport(const CaseDescription& description, const Scene<Dim>& scene, Simulation<Dim>& simulation, const Communicator& comm);
+  RunReport(const CaseDescription& description, const Scene<Dim>& scene, Simulation<Dim>& simulation,
+            const Communicator& comm);
 
-  /// At the start and after every step: follows the error of the bodies' motion.
+  /// At the start and after every step: follows the error of the motion of bodies and interfaces. Collective.
   void track();
   /// What was summed up since the beginning of the run, for checkpoints; the same for any number of ranks.
   std::vector<double> totals_so_far() const;
@@ -34,16 +36,24 @@ class RunReport {
 
  private:
   RunSummary collect(double wall_seconds);
+  void add_grids(RunSummary& summary) const;
+  void add_bodies(RunSummary& summary) const;
+  void add_solids(RunSummary& summary) const;
+  void add_errors(RunSummary& summary) const;
+  void add_conservation(RunSummary& summary) const;
+  void write_headline(const RunSummary& summary);
+  void track_bodies(double dt);
 
   const CaseDescription& description_;
   const Scene<Dim>& scene_;
   Simulation<Dim>& simulation_;
   Communicator comm_;
   std::string status_ = "finished", reason_, headline_;
-  std::array<double, static_cast<std::size_t>(euler_components<Dim>)> initial_totals_{};
-  ErrorNorms interface_velocity_, interface_position_;  // max over time; l1, l2 as means over time while summing
-  double tracked_time_ = 0, last_time_ = 0;
-  std::int64_t tight_ = 0;  // summed over the steps
+  Closure closure_;
+  SceneTotals<Dim> initial_totals_;
+  TimeNorms interface_velocity_, interface_position_, interface_pressure_;
+  double last_time_ = 0;
+  std::int64_t tight_ = 0;                                          // summed over the steps
   std::int64_t earlier_contacts_ = 0, earlier_repeated_steps_ = 0;  // before the restart
 };
 

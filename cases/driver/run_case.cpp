@@ -37,7 +37,7 @@ class Run {
 
   int operator()() {
     start();
-    Recorder<Dim> recorder(description_, directory_, comm_, resume_time_);
+    Recorder<Dim> recorder(description_, simulation_, directory_, comm_, resume_time_);
     Progress progress(simulation_.time(), end_, options_.quiet || comm_.rank() != 0);
     RunReport<Dim> report(description_, scene_, simulation_, comm_);
     int status = 0;

@@ -108,7 +108,8 @@ struct CaseDescription {
   double contact_gap = 0;  // bodies closer than this many cells are in contact; 0: what the overlap resolves
 
   int frames = 0;  // PNG frames (and HDF5 steps) evenly spaced over the run, plus t = 0
-  std::vector<std::string> pictures = {"schlieren"};  // schlieren, pressure, velocity, mach, grids
+  // schlieren, pressure, velocity, mach, stress, grids; default without gas: stress
+  std::vector<std::string> pictures = {"schlieren"};
   int picture_width = 1200;                           // pixels
   bool hdf5 = true;
   double checkpoint_interval = 0;  // time between checkpoints; 0: none

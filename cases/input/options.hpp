@@ -20,7 +20,7 @@ inline const std::vector<std::string> shapes = {"circle",  "ellipse", "stick", "
 inline const std::vector<std::string> surfaces = {"wall", "exact"};
 inline const std::vector<std::string> sides = {"left", "right"};
 inline const std::vector<std::string> degrees_of_freedom = {"x", "y", "angle"};
-inline const std::vector<std::string> pictures = {"schlieren", "pressure", "velocity", "mach", "grids"};
+inline const std::vector<std::string> pictures = {"schlieren", "pressure", "velocity", "mach", "stress", "grids"};
 inline const std::vector<std::string> fluid_exact_solutions = {
     "none", "riemann", "vortex", "uniform", "rigid_piston", "shock_on_massless_body", "weak_shock_on_free_cylinder"};
 inline const std::vector<std::string> solid_exact_solutions = {

@@ -224,6 +224,17 @@ void check_background(const Node& root, const CaseDescription& c, const SolidDes
                  b.name + "): the boundaries of gas and solid must coincide");
 }
 
+/// Every picture has something to show.
+void check_pictures(const Node& root, const CaseDescription& c) {
+  for (const std::string& picture : c.pictures) {
+    if (picture == "stress" && c.solids.empty())
+      reject(root, "output.pictures", "output.pictures: \"stress\" needs an elastic solid");
+    if (!c.has_gas && (picture == "schlieren" || picture == "pressure" || picture == "mach"))
+      reject(root, "output.pictures",
+             "output.pictures: \"" + picture + "\" needs gas; allowed without: stress, velocity, grids");
+  }
+}
+
 }  // namespace
 
 void complete_solids(const Node& root, CaseDescription& c) {
@@ -232,6 +243,7 @@ void complete_solids(const Node& root, CaseDescription& c) {
   for (std::size_t k = 0; k < c.solids.size(); ++k) complete_solid(root, c, k);
   complete_layer(c);
   c.has_gas = !c.bodies.empty() || std::any_of(c.solids.begin(), c.solids.end(), [](const auto& b) { return b.wet(); });
+  if (!c.has_gas && !root.find("output.pictures")) c.pictures = {"stress"};
   if (!root.find("coupling.reference_pressure")) c.coupling.reference_pressure = c.initial.right[3];
 }
 
@@ -247,6 +259,7 @@ void check_solids(const Node& root, const CaseDescription& c) {
     check_background(root, c, b, path);
   }
   check_layer(root, c);
+  check_pictures(root, c);
   check_shared_interfaces(root, c);
   if (c.has_gas && !c.solids.empty() && c.initial.kind != "uniform" && c.initial.kind != "shock" &&
       c.initial.kind != "exact" && !root.find("coupling.reference_pressure"))

@@ -54,7 +54,7 @@ const ColorMap& diverging_map() {
 
 const ColorMap& stress_map() {
   static const ColorMap map =
-      tabulated([](double s) { return from_oklch(0.95 - 0.58 * s, 0.06 + 0.36 * s * (1 - 0.78 * s), 92 - 68 * s); });
+      tabulated([](double s) { return from_oklch(0.96 - 0.66 * s, 0.05 + 0.4 * s * (1 - 0.8 * s), 95 - 75 * s); });
   return map;
 }
 

@@ -130,7 +130,7 @@ void shade_solids(Image& image, const Axes& axes, const Snapshot& snapshot, cons
   for (const GridSnapshot& grid : snapshot.grids) {
     if (!grid.solid) continue;
     const Line line(grid, n);
-    const auto [left, right] = std::minmax(line.at_face(0), line.at_face(line.cells()));
+    const auto [left, right] = std::minmax({line.at_face(0), line.at_face(line.cells())});
     shade(image, axes, left, right, solid_ground, unit);
   }
 }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double tallest = 1.25;  // height of the axes over their widest width
 
-/// All of the first grid of a fluid and the active cells of the others.
+/// All of the first grid of a fluid and the active cells of the others; around solids alone a little more.
 Box<2> shown(const Snapshot& snapshot, const Box<2>& window) {
   if ((window.low.array() < window.high.array()).all() || snapshot.grids.empty()) return window;
   Box<2> box;
@@ -24,7 +24,7 @@ Box<2> shown(const Snapshot& snapshot, const Box<2>& window) {
                {grid.node(i, j), grid.node(i + 1, j), grid.node(i, j + 1), grid.node(i + 1, j + 1)})
             box.include({grid.x[k], grid.y[k]});
   }
-  return box;
+  return snapshot.grids.front().solid ? box.grown(0.03 * (box.high - box.low).maxCoeff()) : box;
 }
 
 /// Room for labels at the left and below, for the title above, for the colour bar at the right.

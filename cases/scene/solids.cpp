@@ -216,7 +216,8 @@ void add_solid(const CaseDescription& description, std::size_t index, double spa
   const SolidFunction initial = solid_function(from, material, exact);
   SolidSetup solid;
   FittedBody<2> gas;
-  gas.name = solid.elastic.name = from.name;
+  solid.elastic.name = from.name;
+  gas.name = from.name + "_gas";
   gas.shape.spacing = spacing;
   solid.elastic.options = {material, limiter_of(description.solid.limiter), description.solid.null_mode_upwinding};
   solid.elastic.skip = description.skip;

@@ -17,6 +17,33 @@ Json to_json(const BodySummary& body) {
           {"angular_velocity", body.angular_velocity}};
 }
 
+Json to_json(const SolidSummary& solid) {
+  return {{"name", solid.name},
+          {"law", solid.law},
+          {"mass", solid.mass},
+          {"position", solid.position},
+          {"velocity", solid.velocity},
+          {"momentum", solid.momentum},
+          {"angular_momentum", solid.angular_momentum},
+          {"kinetic_energy", solid.kinetic_energy},
+          {"strain_energy", solid.strain_energy},
+          {"least_j", solid.least_j},
+          {"max_von_mises", solid.max_von_mises}};
+}
+
+Json to_json(const InterfaceSummary& interface) {
+  return {{"name", interface.name},  {"low", interface.low},           {"high", interface.high},
+          {"area", interface.area},  {"pressure", interface.pressure}, {"velocity", interface.velocity},
+          {"force", interface.force}};
+}
+
+template <class Item>
+Json list(const std::vector<Item>& items) {
+  Json all = Json::array();
+  for (const Item& item : items) all.push_back(to_json(item));
+  return all;
+}
+
 Json to_json(const Provenance& made_by, const std::string& case_text) {
   return {{"version", made_by.version},   {"git", made_by.git},     {"dirty", made_by.dirty},
           {"compiler", made_by.compiler}, {"flags", made_by.flags}, {"case_text", case_text}};
@@ -45,8 +72,9 @@ Json to_json(const RunSummary& run) {
     json["conservation"] = {{"mass", run.conservation->mass},
                             {"momentum", run.conservation->momentum},
                             {"energy", run.conservation->energy}};
-  json["bodies"] = Json::array();
-  for (const BodySummary& body : run.bodies) json["bodies"].push_back(to_json(body));
+  json["bodies"] = list(run.bodies);
+  json["solids"] = list(run.solids);
+  json["interfaces"] = list(run.interfaces);
   json["overlap"] = {{"orphans", run.overlap.orphans},
                      {"fringe", run.overlap.fringe},
                      {"holes", run.overlap.holes},

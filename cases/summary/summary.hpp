@@ -26,7 +26,30 @@ struct BodySummary {
   double angular_velocity = 0;             // radians per time
 };
 
-/// Relative change over the run of what a closed domain (walls, periodic sides) contains, gas and bodies; overlapping
+/// An elastic solid at the end of the run. Vectors hold one number per dimension.
+struct SolidSummary {
+  std::string name, law;
+  double mass = 0;
+  std::vector<double> position, velocity;  // of the centre of mass
+  std::vector<double> momentum;
+  double angular_momentum = 0;  // about the centre of mass
+  double kinetic_energy = 0, strain_energy = 0;
+  double least_j = 1;        // smallest J in it
+  double max_von_mises = 0;  // largest von Mises stress in it
+};
+
+/// A deforming interface at the end of the run.
+struct InterfaceSummary {
+  std::string name;
+  std::vector<double> low, high;  // corners of the box around it
+  double area = 0;                // enclosed; 0 for curves that are not closed
+  double pressure = 0;            // mean over the last step and the interface, as velocity
+  std::vector<double> velocity;
+  std::vector<double> force;  // of the fluid on the structure
+};
+
+/// Relative change over the run of what a closed scene (walls, periodic sides, free or resting sides of solids)
+/// contains: gas, bodies and solids, less the work of the pressure at which solids are in equilibrium; overlapping
 /// cells are shared out smoothly, so that interpolation between grids shows as a defect. NaN where it is not a
 /// conserved quantity.
 struct ConservationSummary {
@@ -53,6 +76,8 @@ struct RunSummary {
   std::vector<std::pair<std::string, ErrorNorms>> errors;   // "fluid.density", …; empty without an exact solution
   std::optional<ConservationSummary> conservation;
   std::vector<BodySummary> bodies;
+  std::vector<SolidSummary> solids;
+  std::vector<InterfaceSummary> interfaces;
   OverlapSummary overlap;
   std::int64_t contacts = 0;        // impulses between bodies, or bodies and walls
   std::int64_t repeated_steps = 0;  // with half the Δt, after an inadmissible state

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "mortise/cases/driver/gather.hpp"
+#include "mortise/cases/driver/errors.hpp"
 #include "mortise/cases/input/case_file.hpp"
 #include "mortise/cases/scene/scene.hpp"
 #include "mortise/fluid/cell.hpp"

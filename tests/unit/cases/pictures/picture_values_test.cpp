@@ -59,7 +59,7 @@ TEST(PictureValues, SpeedAndPlainFields) {
 
 TEST(PictureValues, AFieldOnSomeGridsIsEnough) {
   Snapshot snapshot = test::scene("density", [](double, double) { return 1.0; });
-  test::fill_field(snapshot.grids[1], "stress", [](double x, double) { return x; });
+  test::fill_field(snapshot.grids[1], "von_mises", [](double x, double) { return x; });
   const PictureValues values = picture_values(snapshot, "stress");
   EXPECT_TRUE(std::isnan(values[0][0]));
   EXPECT_FALSE(std::isnan(values[1][0]));

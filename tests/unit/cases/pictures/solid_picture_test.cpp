@@ -48,7 +48,11 @@ TEST(SolidPicture, StressesAreShownOverTheGas) {
 }
 
 TEST(SolidPicture, OutlineIsDrawnOnceAround) {
-  const Image image = rendered(test::elastic_scene("density", [](double, double) { return 1.0; }), "stress");
+  Snapshot snapshot = test::elastic_scene("density", [](double, double) { return 1.0; });
+  for (GridSnapshot& grid : snapshot.grids)
+    for (auto& [name, values] : grid.fields)
+      if (name == "von_mises") std::fill(values.begin(), values.end(), 0.0);  // pale
+  const Image image = rendered(snapshot, "stress");
   const auto darkest = [&](double radius, double angle) {
     int least = 255;
     for (double r = radius - 0.01; r < radius + 0.01; r += 0.002)
@@ -56,8 +60,8 @@ TEST(SolidPicture, OutlineIsDrawnOnceAround) {
     return least;
   };
   for (int k = 0; k < 24; ++k) {
-    EXPECT_LT(darkest(test::scene_radius, 0.26 * k), 90) << k;
-    EXPECT_GT(darkest(0.2, 0.26 * k), 90) << k;  // no edge where the core ends
+    EXPECT_LT(darkest(test::scene_radius, 0.26 * k), 190) << k;
+    EXPECT_GT(darkest(0.32, 0.26 * k), 230) << k;  // no edge where the core ends
   }
 }
 
@@ -104,6 +108,7 @@ TEST(SolidPicture, StripsAreCurvesAlongThem) {
       return -1;
     };
     EXPECT_EQ(row_of(-0.5, 0, true), -1);  // no density of the solid
+    EXPECT_LT(image.at(column(-0.5), 40).blue, image.at(column(0.5), 120).blue - 10);  // which is shaded
     EXPECT_GT(row_of(0.5, 0, false), 0);
     EXPECT_GT(row_of(-0.5, 1, true), row_of(0.5, 1, false) + 30);  // the velocity rises through both
     EXPECT_GT(row_of(0.5, 2, false), 0);
@@ -116,7 +121,7 @@ TEST(SolidPicture, StripsAreCurvesAlongThem) {
 TEST(SolidPicture, AStripOfASolidAlone) {
   Snapshot snapshot = test::strip({1, 0}, 30);
   snapshot.grids.erase(snapshot.grids.begin());
-  EXPECT_EQ(rendered(snapshot, "stress").height(), rendered(test::strip({1, 0}, 30), "stress").height() - 125);
+  EXPECT_NEAR(rendered(snapshot, "stress").height(), rendered(test::strip({1, 0}, 30), "stress").height() - 125, 1);
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ TEST(Summary, HasTheAgreedMembers) {
   const nlohmann::json json = written(example());
   for (const char* key : {"case", "scheme", "status", "reason", "time", "steps", "ranks", "wall_seconds",
                           "cell_updates", "cell_updates_per_second", "skipped_fraction", "phases", "memory_bytes",
-                          "cells", "bodies", "overlap", "provenance"})
+                          "cells", "bodies", "solids", "interfaces", "overlap", "provenance"})
     EXPECT_TRUE(json.contains(key)) << key;
   EXPECT_EQ(json["status"], "finished");
   EXPECT_EQ(json["steps"], 812);
@@ -56,6 +56,29 @@ TEST(Summary, HasTheAgreedMembers) {
   EXPECT_EQ(json["provenance"]["case_text"], "title = \"ρ\"\n");
   for (const char* key : {"version", "git", "dirty", "compiler", "flags"})
     EXPECT_TRUE(json["provenance"].contains(key)) << key;
+}
+
+TEST(Summary, SolidsAndInterfaces) {
+  RunSummary run = example();
+  EXPECT_TRUE(written(run)["solids"].empty());
+  EXPECT_TRUE(written(run)["interfaces"].empty());
+  run.solids = {{"disk", "neo_hookean", 3, {1, 2}, {0.5, 0.25}, {1.5, 0.75}, 0.1, 0.2, 0.3, 0.9, 7}};
+  run.interfaces = {{"disk", {-1, -2}, {1, 2}, 3, 0.7, {0.5, 0.25}, {4, 5}}};
+  const nlohmann::json json = written(run), solid = json["solids"][0], interface = json["interfaces"][0];
+  EXPECT_EQ(solid["law"], "neo_hookean");
+  EXPECT_EQ(solid["mass"], 3);
+  EXPECT_EQ(solid["position"], nlohmann::json({1, 2}));
+  EXPECT_EQ(solid["momentum"], nlohmann::json({1.5, 0.75}));
+  EXPECT_EQ(solid["angular_momentum"], 0.1);
+  EXPECT_EQ(solid["kinetic_energy"], 0.2);
+  EXPECT_EQ(solid["strain_energy"], 0.3);
+  EXPECT_EQ(solid["least_j"], 0.9);
+  EXPECT_EQ(solid["max_von_mises"], 7);
+  EXPECT_EQ(interface["low"], nlohmann::json({-1, -2}));
+  EXPECT_EQ(interface["area"], 3);
+  EXPECT_EQ(interface["pressure"], 0.7);
+  EXPECT_EQ(interface["velocity"], nlohmann::json({0.5, 0.25}));
+  EXPECT_EQ(interface["force"], nlohmann::json({4, 5}));
 }
 
 TEST(Summary, ErrorsAndConservationOnlyWhenKnown) {

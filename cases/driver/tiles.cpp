@@ -1,0 +1,102 @@
+#include "mortise/cases/driver/tiles.hpp"
+
+#include "mortise/grids/overlap/component_grid.hpp"
+
+namespace mortise {
+namespace {
+
+/// visit(number of the grid, the grid, components, solver, index of the grid in it) for all grids of a scene.
+template <class AnySimulation, class Visit>
+void for_each_grid(AnySimulation& simulation, Visit&& visit) {
+  std::size_t number = 0;
+  auto& fluid = simulation.fluid();
+  for (std::size_t g = 0; g < fluid.grids().size(); ++g) visit(number++, fluid.grids()[g], fluid.components, fluid, g);
+  for (const auto& solid : simulation.solids())
+    for (std::size_t g = 0; g < solid->grids().size(); ++g)
+      visit(number++, solid->grids()[g], solid->components(), *solid, g);
+}
+
+template <int Dim>
+void append(TileRecords& records, std::size_t number, const ComponentGrid<Dim>& grid, int components,
+            const Field<Dim>& field, const std::vector<double>& rates) {
+  TileRecords mine;
+  for (int t = 0; t < grid.forest.local_count(); ++t) {
+    const TileBlock& block = field.tile(t);
+    mine.keys.insert(mine.keys.end(),
+                     {static_cast<std::int64_t>(number), grid.forest.first_global() + t, block.allocated()});
+    mine.rates.push_back(rates[static_cast<std::size_t>(t)]);
+    for (int c = 0; c < components && block.allocated(); ++c)
+      for_each_cell<Dim>(grid.shape, 0, [&](const Index<Dim>& cell) {
+        mine.values.push_back(block.component(c)[grid.shape.at(cell)]);
+      });
+  }
+  const Communicator& comm = grid.forest.communicator();  // ranks hold consecutive pieces of the order of tiles
+  for (const std::int64_t key : comm.gather_all(mine.keys)) records.keys.push_back(key);
+  for (const double rate : comm.gather_all(mine.rates)) records.rates.push_back(rate);
+  for (const double value : comm.gather_all(mine.values)) records.values.push_back(value);
+}
+
+template <int Dim>
+void fill(TileBlock& block, const ComponentGrid<Dim>& grid, int components, const double* value) {
+  for (int c = 0; c < components; ++c)
+    for_each_cell<Dim>(grid.shape, 0,
+                       [&](const Index<Dim>& cell) { block.component(c)[grid.shape.at(cell)] = *value++; });
+}
+
+template <int Dim>
+std::size_t tile_size(const ComponentGrid<Dim>& grid, int components) {
+  return static_cast<std::size_t>(grid.shape.count() * components);
+}
+
+}  // namespace
+
+template <int Dim>
+TileRecords gather_tiles(Simulation<Dim>& simulation) {
+  TileRecords records;
+  for_each_grid(simulation, [&](std::size_t number, const auto& grid, int components, auto& solver, std::size_t g) {
+    append(records, number, grid, components, solver.fields()[g], solver.rates()[g]);
+  });
+  return records;
+}
+
+template <int Dim>
+void scatter_tiles(const TileRecords& records, Simulation<Dim>& simulation) {
+  const double* next = records.values.data();
+  std::size_t k = 0;  // record
+  for_each_grid(simulation, [&](std::size_t, const auto& grid, int components, auto& solver, std::size_t g) {
+    for (std::int64_t tile = 0; tile < grid.forest.global_count(); ++tile, ++k) {
+      const bool allocated = records.keys[3 * k + 2] != 0;
+      const std::int64_t local = tile - grid.forest.first_global();
+      if (local >= 0 && local < grid.forest.local_count()) {
+        solver.rates()[g][static_cast<std::size_t>(local)] = records.rates[k];
+        TileBlock& block = solver.fields()[g].tile(static_cast<int>(local));
+        if (allocated && block.allocated()) fill(block, grid, components, next);
+      }
+      if (allocated) next += tile_size(grid, components);
+    }
+  });
+}
+
+template <int Dim>
+bool fits(const TileRecords& records, const Simulation<Dim>& simulation) {
+  std::size_t k = 0, values = 0;
+  if (records.keys.size() != 3 * records.rates.size()) return false;
+  bool same = true;
+  for_each_grid(simulation, [&](std::size_t number, const auto& grid, int components, const auto&, std::size_t) {
+    for (std::int64_t tile = 0; tile < grid.forest.global_count(); ++tile, ++k) {
+      same = same && k < records.rates.size() && records.keys[3 * k] == static_cast<std::int64_t>(number) &&
+             records.keys[3 * k + 1] == tile;
+      if (same && records.keys[3 * k + 2] != 0) values += tile_size(grid, components);
+    }
+  });
+  return same && k == records.rates.size() && values == records.values.size();
+}
+
+template TileRecords gather_tiles<1>(Simulation<1>&);
+template TileRecords gather_tiles<2>(Simulation<2>&);
+template void scatter_tiles<1>(const TileRecords&, Simulation<1>&);
+template void scatter_tiles<2>(const TileRecords&, Simulation<2>&);
+template bool fits<1>(const TileRecords&, const Simulation<1>&);
+template bool fits<2>(const TileRecords&, const Simulation<2>&);
+
+}  // namespace mortise

@@ -1,0 +1,31 @@
+// Fields and rates of a scene tile by tile, for checkpoints.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mortise/coupler/simulation.hpp"
+
+namespace mortise {
+
+/// All tiles of the fluid's grids, then of the solids', in their global order; the same for any number of ranks.
+/// Unallocated tiles have no values.
+struct TileRecords {
+  std::vector<std::int64_t> keys;  // number of the grid, global tile, allocated: three per tile
+  std::vector<double> rates;       // per tile
+  std::vector<double> values;      // cells of the allocated tiles, component by component
+};
+
+/// Collective; every rank gets all.
+template <int Dim>
+TileRecords gather_tiles(Simulation<Dim>& simulation);
+
+/// The holes of the simulation are those of the records: tiles wholly inside bodies are left alone.
+template <int Dim>
+void scatter_tiles(const TileRecords& records, Simulation<Dim>& simulation);
+
+/// Whether the records are those of the simulation's tiles, one by one.
+template <int Dim>
+bool fits(const TileRecords& records, const Simulation<Dim>& simulation);
+
+}  // namespace mortise
