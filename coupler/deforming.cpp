@@ -22,8 +22,13 @@ FluidTrace fluid_trace(const WallTrace<2>& trace, double theta) {
   return fluid_trace(W.density > 0 && W.pressure > 0 ? W : trace.half);
 }
 
-void add(std::vector<Point<2>>& sum, const std::vector<Point<2>>& values, double weight) {
-  sum.resize(values.size(), Point<2>::Zero());
+Point<2> zero_of(const Point<2>&) { return Point<2>::Zero(); }
+double zero_of(double) { return 0; }
+
+/// sum += weight · values; an empty sum is zero.
+template <class Value>
+void add(std::vector<Value>& sum, const std::vector<Value>& values, double weight) {
+  sum.resize(values.size(), zero_of(values.front()));
   for (std::size_t k = 0; k < values.size(); ++k) sum[k] += weight * values[k];
 }
 
@@ -152,8 +157,8 @@ DeformingInterface::Step DeformingInterface::solve(std::span<const WallTrace<2>>
   step.mesh = follow(step.displacement);
   areas_ = wall_areas(*mesh_, *step.mesh);
   problem.area = areas_;
-  for (std::size_t i = 0; i < areas_.size(); ++i) step.force -= (step.solution.pressure[i] - setup_.options.reference_pressure) * areas_[i];
-  if (pace.substeps == 1) step.solution.traction = tractions(problem, step.solution.pressure, setup_.options);
+  for (std::size_t i = 0; i < areas_.size(); ++i) step.force -= (step.solution.load[i] - setup_.options.reference_pressure) * areas_[i];
+  if (pace.substeps == 1) step.solution.traction = tractions(problem, step.solution.load, setup_.options);
   return step;
 }
 
@@ -171,8 +176,8 @@ void DeformingInterface::take_substeps(Step& step, std::span<const WallTrace<2>>
     const InterfaceSolution part = ask(data, law, theta * dt, problem);
     step.admissible = structure_.step(part.traction, part.velocity, dt * share);
     if (step.admissible) structure_.commit(time + (k + 1) * share * dt);
-    step.solution.pressure.resize(part.pressure.size(), 0.0);
-    for (std::size_t i = 0; i < part.pressure.size(); ++i) step.solution.pressure[i] += share * part.pressure[i];
+    add(step.solution.pressure, part.pressure, share);
+    add(step.solution.load, part.load, share);
     add(step.solution.traction, part.traction, share);
     add(step.solution.velocity, part.velocity, share);
     add(step.solution.wall_velocity, part.wall_velocity, share);
@@ -193,14 +198,6 @@ void DeformingInterface::reject(const Step& step) {
   if (step.pace.substeps > 1) structure_.go_back();
 }
 
-void DeformingInterface::push_history(const InterfaceSolution& solution) {
-  history_.wall_velocity.insert(history_.wall_velocity.begin(), solution.velocity);
-  history_.pressure.insert(history_.pressure.begin(), solution.pressure);
-  if (history_.pressure.size() <= 2) return;
-  history_.wall_velocity.pop_back();
-  history_.pressure.pop_back();
-}
-
 void DeformingInterface::accept(const Step& step, double time, double dt) {
   if (step.pace.substeps == 1 && step.pace.finishes) {
     structure_.commit(time);
@@ -210,7 +207,7 @@ void DeformingInterface::accept(const Step& step, double time, double dt) {
     add(impulse_, step.solution.traction, dt);
     add(advance_, step.solution.velocity, dt);
   }
-  push_history(step.solution);
+  history_.remember(step.solution);
   previous_displacement_ = displacement_;
   displacement_ = step.displacement;
   velocity_ = step.node_velocity;

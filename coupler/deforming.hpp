@@ -111,7 +111,6 @@ class DeformingInterface {
   std::vector<Point<2>> predicted_areas(double from_now) const;
   InterfaceSolution ask(std::span<const FluidTrace> fluid, const WallLaw& law, double from_now, InterfaceProblem& problem);
   void take_substeps(Step& step, std::span<const WallTrace<2>> fluid, const WallLaw& law, double time, double dt, InterfaceProblem& problem);
-  void push_history(const InterfaceSolution& solution);
 
   InterfaceSetup setup_;
   Structure& structure_;
