@@ -64,8 +64,8 @@ Errors errors_on_a_curved_patch(const PlaneWave& wave, int n) {
   return {run.largest_error(wave), run.mean_error(wave)};
 }
 
-/// In the one cell of a corner between two prescribed sides, no wave carries errors of the local rotation away: there F
-/// is first-order, and the largest error with it.
+/// Corners between two prescribed sides cost half an order in the max norm. Of a hyperelastic solid, F is first-order
+/// in the cells next to prescribed sides: the upwinding of its null modes ends there.
 TEST(ElasticWaves, SecondOrderOnACurvedPatchWithPrescribedVelocitiesAndTractions) {
   for (const bool shear : {false, true}) {
     const PlaneWave wave{unit_speed(StressLaw::linear), Point<2>(5, 3), shear};
