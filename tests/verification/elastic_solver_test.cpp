@@ -121,6 +121,36 @@ TEST(ElasticSolver, MomentumChangesByWhatTheTractionsGive) {
   EXPECT_LT((momentum() - expected).norm(), 1e-13);
 }
 
+TEST(ElasticSolver, AnInterfaceDoesWhatItIsGiven) {
+  const PlaneWave wave{unit_speed(StressLaw::neo_hookean), Point<2>(4, 2.5), true, 0.03};
+  ElasticSetup setup;
+  setup.name = "ring";
+  setup.options.material = wave.material;
+  setup.fitted = ring(0.4, 160, 10);
+  setup.fitted_sides[south].kind = ElasticBoundary::traction;
+  ElasticRun free(setup, wave);
+  setup.fitted_sides[south].kind = ElasticBoundary::interface;
+  ElasticRun coupled(setup, wave);
+  for (int n = 1; n <= 5; ++n) {
+    const double dt = 0.8 / free.solver().rate();
+    std::vector<Point<2>> traction, velocity;
+    for (const ElasticTrace& trace : coupled.solver().interface_traces(dt)) {
+      const BoundarySolution solution = prescribed_traction(trace, Point<2>::Zero());
+      traction.push_back(solution.traction);
+      velocity.push_back(solution.velocity);
+    }
+    free.step(dt);
+    ASSERT_TRUE(coupled.solver().step(traction, velocity, dt));
+    coupled.solver().commit(free.time());
+  }
+  std::vector<ElasticState> expected;
+  free.for_each_active_cell(
+      [&](int, int, const Index<2>&, const Point<2>&, const ElasticState& a) { expected.push_back(a); });
+  std::size_t k = 0;
+  coupled.for_each_active_cell(
+      [&](int, int, const Index<2>&, const Point<2>&, const ElasticState& a) { EXPECT_EQ(a, expected[k++]); });
+}
+
 /// A smooth state without meaning: sums of waves of low wave numbers.
 ElasticState smooth_noise(const Material& material, const Point<2>& X) {
   double v[2] = {0, 0};
@@ -130,6 +160,7 @@ ElasticState smooth_noise(const Material& material, const Point<2>& X) {
   return elastic_state(material, {v[0], v[1]}, Gradient::Zero(), {0, 0});
 }
 
+/// Kinetic energy and, of a linear solid, that of the stress, times the number of cells.
 double energy(const ElasticRun& run, const Material& material) {
   double sum = 0;
   run.for_each_active_cell([&](int, int, const Index<2>&, const Point<2>&, const ElasticState& a) {
