@@ -14,7 +14,7 @@ double error_on_a_square(const PlaneWave& wave, int n, ElasticBoundary kind) {
   return run.largest_error(wave);
 }
 
-TEST(ElasticWaves, SecondOrderOnAPeriodicSquare) {
+TEST(ElasticSolverWaves, SecondOrderOnAPeriodicSquare) {
   for (const bool shear : {false, true}) {
     const PlaneWave wave{unit_speed(StressLaw::linear), 2 * pi * Point<2>(1, 1), shear};
     expect_order(error_on_a_square(wave, 32, ElasticBoundary::periodic),
@@ -30,7 +30,7 @@ TEST(ElasticWaves, SecondOrderOnAPeriodicSquare) {
   }
 }
 
-TEST(ElasticWaves, SecondOrderThroughExactSides) {
+TEST(ElasticSolverWaves, SecondOrderThroughExactSides) {
   for (const bool shear : {false, true}) {
     const PlaneWave wave{unit_speed(StressLaw::linear), Point<2>(5, 3), shear};
     expect_order(error_on_a_square(wave, 32, ElasticBoundary::exact),
@@ -66,7 +66,7 @@ Errors errors_on_a_curved_patch(const PlaneWave& wave, int n) {
 
 /// Corners between two prescribed sides cost half an order in the max norm. Of a hyperelastic solid, F is first-order
 /// in the cells next to prescribed sides: the upwinding of its null modes ends there.
-TEST(ElasticWaves, SecondOrderOnACurvedPatchWithPrescribedVelocitiesAndTractions) {
+TEST(ElasticSolverWaves, SecondOrderOnACurvedPatchWithPrescribedVelocitiesAndTractions) {
   for (const bool shear : {false, true}) {
     const PlaneWave wave{unit_speed(StressLaw::linear), Point<2>(5, 3), shear};
     const Errors coarse = errors_on_a_curved_patch(wave, 32), fine = errors_on_a_curved_patch(wave, 64);
@@ -104,7 +104,7 @@ struct RadialMode {
   }
 };
 
-TEST(ElasticWaves, RadialModeOfAFixedRing) {
+TEST(ElasticSolverWaves, RadialModeOfAFixedRing) {
   const RadialMode mode{unit_speed(StressLaw::linear)};
   const auto error = [&](int across) {
     ElasticSetup setup;
@@ -160,7 +160,7 @@ RayleighErrors rayleigh_errors(const RayleighWave& wave, int n) {
   return {run.largest_error(wave), std::abs(std::remainder(phase - exact, 2 * pi)) / (wave.k * run.time())};
 }
 
-TEST(ElasticWaves, RayleighWaveAlongAFreeSurface) {
+TEST(ElasticSolverWaves, RayleighWaveAlongAFreeSurface) {
   const RayleighWave wave{unit_speed(StressLaw::linear)};
   const RayleighErrors coarse = rayleigh_errors(wave, 32), fine = rayleigh_errors(wave, 64);
   expect_order(coarse.field, fine.field, 1.9);
