@@ -97,9 +97,27 @@ inline ElasticSetup square(const Material& material, int n, int tile, ElasticBou
   return setup;
 }
 
+/// The unit disk: a Cartesian core and a grid grown inward from the circle.
+inline ElasticSetup disk(const Material& material, int n) {
+  const double h = 1.0 / n;
+  const Outline circle = Outline::circle(1);
+  ElasticSetup setup;
+  setup.name = "disk";
+  setup.options.material = material;
+  setup.fitted = std::make_shared<GrownGrid>(grow(circle, {.spacing = h, .layers = 10, .inward = true}));
+  setup.atlas = std::make_shared<BodyAtlas>(circle, *setup.fitted, true);
+  const int half = n + 8;
+  setup.domain.include(Point<2>::Constant(-half * h));
+  setup.domain.include(Point<2>::Constant(half * h));
+  setup.cells = {2 * half, 2 * half};
+  setup.tile = {half, half};
+  return setup;
+}
+
 class ElasticRun {
  public:
-  ElasticRun(ElasticSetup setup, const ElasticFunction& initial) : solver_(Communicator(), std::move(setup), timers_) {
+  ElasticRun(ElasticSetup setup, const ElasticFunction& initial, const Communicator& comm = Communicator())
+      : solver_(comm, std::move(setup), timers_) {
     solver_.initialize(initial, 0);
   }
   ElasticSolver& solver() { return solver_; }
