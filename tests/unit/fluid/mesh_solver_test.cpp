@@ -3,6 +3,7 @@
 
 #include "mortise/fluid/exact_riemann.hpp"
 #include "mortise/grids/core/error.hpp"
+#include "mortise/grids/geometry/frame.hpp"
 #include "unit/fluid/mesh_run.hpp"
 
 namespace mortise {
@@ -139,6 +140,43 @@ TEST(MeshWalls, AFlatNorthWallReflectsLikeAMirror) {
   }
   const std::vector<double> below = half.densities(), all = whole.densities();
   for (std::size_t k = 0; k < below.size(); ++k) EXPECT_NEAR(below[k], all[k], 1e-13) << k;
+}
+
+TEST(MeshMotion, RigidAndNodeByNodeAreTheSame) {
+  const auto ring = wobbling_ring(48, 12, 1).at(0);
+  const auto turned = [&](double t) {
+    const Pose<2> pose{Point<2>(0.3 * t, -0.1 * t), 0.5 * t};
+    GrownGrid grid = *ring;
+    for (Point<2>& node : grid.nodes) node = Frame<2>(pose).to_space(node);
+    return std::pair(pose, std::make_shared<const GrownGrid>(std::move(grid)));
+  };
+  PhaseTimers timers;
+  EulerSetup<2> setup;
+  setup.boundaries.exact = uniform_state;
+  setup.bodies.resize(1);
+  setup.bodies[0].mesh = ring;
+  setup.bodies[0].sides = around_and_exact;
+  EulerSolver<2> rigid(Communicator(), setup, timers), deforming(Communicator(), setup, timers);
+  rigid.initialize(bubbling, resting<2>({Pose<2>{}}), 0);
+  deforming.initialize(bubbling, path_to(ring), 0);
+  constexpr double dt = 0.003;
+  for (int k = 0; k < 30; ++k) {
+    const auto [start, before] = turned(k * dt);
+    const auto [end, after] = turned((k + 1) * dt);
+    std::vector<BodyPath<2>> path = resting<2>({start}), nodes = path_to(after);
+    path[0].end = end;
+    const auto advance = [&](EulerSolver<2>& solver, const std::vector<BodyPath<2>>& along) {
+      return solver.step(along, {piston_pressure(solver.wall_traces(along, dt)[0], *before, *after, dt)}, dt);
+    };
+    ASSERT_TRUE(advance(rigid, path) && advance(deforming, nodes));
+    rigid.commit(path, (k + 1) * dt);
+    deforming.commit(nodes, (k + 1) * dt);
+  }
+  const TileShape<2>& shape = rigid.grids()[0].shape;
+  for_each_cell<2>(shape, 0, [&](const Index<2>& c) {
+    EXPECT_LE(distance(get<2>(rigid.fields()[0].tile(0), shape.at(c)), get<2>(deforming.fields()[0].tile(0), shape.at(c))), 1e-12);
+    EXPECT_LE((rigid.cell_center(0, 0, c) - deforming.cell_center(0, 0, c)).norm(), 1e-14);
+  });
 }
 
 TEST(MeshTiles, DoNotChangeABit) {
