@@ -158,10 +158,21 @@ class CurvilinearKernel {
     const std::size_t s = k.stride_;
     double *const wests = k.work_.row(west), *const easts = k.work_.row(east), *const F = k.work_.row(x_flux);
     double* const edges = k.pair(west_edge, 4, r);
+    if (k.tile_.west_mirror) mirror_state(wests, easts - 1, edges, s);
+    if (k.tile_.east_mirror) mirror_state(easts + k.nx_ - 1, wests + k.nx_, edges + k.nx_, s);
     for (int i = row_start; i < k.nx_ + 2; i += simd_width)
       rows::store_conserved<2>(F + i, s,
                                Solver::flux(rows::load_primitive<2>(easts + i - 1, s),
                                             rows::load_primitive<2>(wests + i, s), k.face(edges + i), k.gamma_));
+  }
+  /// The state on the far side of one face as the mirror image of that on the near side; all in rows of stride s.
+  static void mirror_state(const double* near, double* far, const double* edge, std::size_t s) {
+    const Primitive<2> W{near[0], {near[s], near[2 * s]}, near[3 * s]};
+    const Primitive<2> image = mirrored(W, PlaneFace<double>(edge[0], edge[s], edge[2 * s]));
+    far[0] = image.density;
+    far[s] = image.velocity[0];
+    far[2 * s] = image.velocity[1];
+    far[3 * s] = image.pressure;
   }
   static void south_fluxes(const CurvilinearKernel k, int r) {
     const std::size_t s = k.stride_;

@@ -38,11 +38,8 @@ std::vector<typename EulerSolver<Dim>::Values> EulerSolver<Dim>::sample(std::spa
     const double gamma = setup_.gas.gamma;
     return overlap_->template sample<components>(now_, points, [gamma](const double* U, double* W) { decode<Dim>(U, W, gamma); });
   }
-  struct Item {
-    std::size_t point;
-    Values values;
-  };
-  std::vector<Item> mine;
+  std::vector<std::size_t> held;  // points in cells of this rank
+  std::vector<Values> mine;       // values there
   if constexpr (Dim == 2)
     for (std::size_t p = 0; p < points.size(); ++p)
       for (std::size_t g = 0; g < grids_.size(); ++g) {
@@ -51,15 +48,18 @@ std::vector<typename EulerSolver<Dim>::Values> EulerSolver<Dim>::sample(std::spa
         if (!find_cell(*meshes_[body], Frame<2>(poses_[body]).to_body(points[p]), at)) continue;
         const Index<2>& cells = grids_[g].shape.cells;
         const Neighbor tile = grids_[g].forest.find({at.cell[0] / cells[0], at.cell[1] / cells[1]});
-        if (tile.rank == comm_.rank())
-          mine.push_back({p, value_in(static_cast<int>(g), tile.local, {at.cell[0] % cells[0], at.cell[1] % cells[1]}, at.within)});
+        if (tile.rank == comm_.rank()) {
+          held.push_back(p);
+          mine.push_back(value_in(static_cast<int>(g), tile.local, {at.cell[0] % cells[0], at.cell[1] % cells[1]}, at.within));
+        }
         break;
       }
   Values nowhere;
   nowhere.fill(std::numeric_limits<double>::quiet_NaN());
   std::vector<Values> values(points.size(), nowhere);
-  const std::vector<Item> all = comm_.gather_all(mine);
-  for (const Item& item : all) values[item.point] = item.values;
+  const std::vector<std::size_t> places = comm_.gather_all(held);
+  const std::vector<Values> found = comm_.gather_all(mine);
+  for (std::size_t k = 0; k < places.size(); ++k) values[places[k]] = found[k];
   return values;
 }
 

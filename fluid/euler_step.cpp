@@ -61,7 +61,13 @@ StepResult EulerSolver<Dim>::step_tile(int g, int t, const std::vector<BodyPath<
     }
   }
   if constexpr (Dim == 2)
-    tile.north_mirror = !overlap_ && setup_.bodies[body].sides[3] == BoundaryKind::wall && grid.first_cell(t)[1] + grid.shape.cells[1] == grid.cells[1];
+    if (!overlap_) {
+      const auto mirror = [&](std::size_t side, bool at_edge) { return at_edge && setup_.bodies[body].sides[side] == BoundaryKind::wall; };
+      const Index<2> first = grid.first_cell(t);
+      tile.west_mirror = mirror(0, first[0] == 0);
+      tile.east_mirror = mirror(1, first[0] + grid.shape.cells[0] == grid.cells[0]);
+      tile.north_mirror = mirror(3, first[1] + grid.shape.cells[1] == grid.cells[1]);
+    }
   return godunov_step(tile, dt, setup_.options);
 }
 

@@ -68,8 +68,9 @@ StepResult godunov_step(const MovingLineTile& tile, double dt, const StepOptions
 /// 2D curvilinear cells, nodes moving on straight lines during the step. Node arrays are indexed by
 /// nodes->at(i, j), nodes = TileShape<2>({cells[0] + 1, cells[1] + 1}): node (i, j) is the lower left corner of cell
 /// (i, j), ghost nodes −2 … cells + 2 included. x, y: positions at t + Δt/2; wx, wy: velocities (nullptr both: at
-/// rest). South side (j = 0) may be a wall; so may the north side, whose pressure is that of the Riemann problem with the
-/// mirror image of the gas. Ghosts beyond that side are read: they should hold a mirror image.
+/// rest). South side (j = 0) may be a wall; the others may be mirrors: walls whose pressure is that of the Riemann problem
+/// with the mirror image of the gas, through which no mass passes (north: to the bit, west and east: but for round-off).
+/// Ghosts beyond mirrors are read and should hold mirror images.
 struct CurvilinearTile {
   const TileShape<2>* shape;
   const TileShape<2>* nodes;
@@ -79,7 +80,7 @@ struct CurvilinearTile {
   const double *wx, *wy;
   const std::uint8_t* active = nullptr;
   WallSide south;
-  bool north_mirror = false;
+  bool west_mirror = false, east_mirror = false, north_mirror = false;
 };
 StepResult godunov_step(const CurvilinearTile& tile, double dt, const StepOptions& options);
 

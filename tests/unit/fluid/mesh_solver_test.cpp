@@ -3,6 +3,7 @@
 
 #include "mortise/fluid/exact_riemann.hpp"
 #include "mortise/grids/core/error.hpp"
+#include "mortise/grids/geometry/frame.hpp"
 #include "unit/fluid/mesh_run.hpp"
 
 namespace mortise {
@@ -77,9 +78,28 @@ MovingMesh driven_strip(int along, int layers) {
           }};
 }
 
+/// The same between two walls at rest, along which nodes slide.
+MovingMesh driven_box(int along, int layers) {
+  return {along, layers, false, Point<2>(0, 0), [=](int i, int j, double t) -> Point<2> {
+            const Point<2> X(static_cast<double>(i) / along, static_cast<double>(j) / layers);
+            Point<2> moved = (1 - X[1]) * 2 * wobble(Point<2>(X[0], 0), t);
+            moved[0] *= 4 * X[0] * (1 - X[0]);
+            return X + moved;
+          }};
+}
+
 TEST(MeshWalls, KeepMassAndDoTheWorkOfTheirPressure) {
-  for (const bool ring : {false, true}) {
-    MeshRun run(ring ? wobbling_ring(48, 12, 0) : driven_strip(24, 16), true, around_and_wall, ring ? bubbling : bubbling_strip);
+  struct Closed {
+    const char* name;
+    MovingMesh mesh;
+    MeshRun::Sides sides;
+    StateFunction<2> initial;
+  };
+  constexpr MeshRun::Sides walls = {BoundaryKind::wall, BoundaryKind::wall, BoundaryKind::wall, BoundaryKind::wall};
+  for (const Closed& closed : {Closed{"strip", driven_strip(24, 16), around_and_wall, bubbling_strip},
+                               Closed{"ring", wobbling_ring(48, 12, 0), around_and_wall, bubbling},
+                               Closed{"box", driven_box(24, 16), walls, bubbling}}) {
+    MeshRun run(closed.mesh, true, closed.sides, closed.initial);
     const Point<2> first = run.totals();
     double work = 0, exchanged = 0;
     for (int k = 0; k < 100; ++k) {
@@ -96,9 +116,9 @@ TEST(MeshWalls, KeepMassAndDoTheWorkOfTheirPressure) {
     }
     EXPECT_TRUE(run.admissible());
     const Point<2> last = run.totals();
-    EXPECT_NEAR(last[0] / first[0], 1, 1e-13) << (ring ? "ring" : "strip");
+    EXPECT_NEAR(last[0] / first[0], 1, 1e-13) << closed.name;
     EXPECT_GT(exchanged, 0.01 * first[1]);
-    EXPECT_NEAR((last[1] - work) / first[1], 1, 1e-13) << (ring ? "ring" : "strip");
+    EXPECT_NEAR((last[1] - work) / first[1], 1, 1e-13) << closed.name;
   }
 }
 
@@ -120,6 +140,43 @@ TEST(MeshWalls, AFlatNorthWallReflectsLikeAMirror) {
   }
   const std::vector<double> below = half.densities(), all = whole.densities();
   for (std::size_t k = 0; k < below.size(); ++k) EXPECT_NEAR(below[k], all[k], 1e-13) << k;
+}
+
+TEST(MeshMotion, RigidAndNodeByNodeAreTheSame) {
+  const auto ring = wobbling_ring(48, 12, 1).at(0);
+  const auto turned = [&](double t) {
+    const Pose<2> pose{Point<2>(0.3 * t, -0.1 * t), 0.5 * t};
+    GrownGrid grid = *ring;
+    for (Point<2>& node : grid.nodes) node = Frame<2>(pose).to_space(node);
+    return std::pair(pose, std::make_shared<const GrownGrid>(std::move(grid)));
+  };
+  PhaseTimers timers;
+  EulerSetup<2> setup;
+  setup.boundaries.exact = uniform_state;
+  setup.bodies.resize(1);
+  setup.bodies[0].mesh = ring;
+  setup.bodies[0].sides = around_and_exact;
+  EulerSolver<2> rigid(Communicator(), setup, timers), deforming(Communicator(), setup, timers);
+  rigid.initialize(bubbling, resting<2>({Pose<2>{}}), 0);
+  deforming.initialize(bubbling, path_to(ring), 0);
+  constexpr double dt = 0.003;
+  for (int k = 0; k < 30; ++k) {
+    const auto [start, before] = turned(k * dt);
+    const auto [end, after] = turned((k + 1) * dt);
+    std::vector<BodyPath<2>> path = resting<2>({start}), nodes = path_to(after);
+    path[0].end = end;
+    const auto advance = [&](EulerSolver<2>& solver, const std::vector<BodyPath<2>>& along) {
+      return solver.step(along, {piston_pressure(solver.wall_traces(along, dt)[0], *before, *after, dt)}, dt);
+    };
+    ASSERT_TRUE(advance(rigid, path) && advance(deforming, nodes));
+    rigid.commit(path, (k + 1) * dt);
+    deforming.commit(nodes, (k + 1) * dt);
+  }
+  const TileShape<2>& shape = rigid.grids()[0].shape;
+  for_each_cell<2>(shape, 0, [&](const Index<2>& c) {
+    EXPECT_LE(distance(get<2>(rigid.fields()[0].tile(0), shape.at(c)), get<2>(deforming.fields()[0].tile(0), shape.at(c))), 1e-12);
+    EXPECT_LE((rigid.cell_center(0, 0, c) - deforming.cell_center(0, 0, c)).norm(), 1e-14);
+  });
 }
 
 TEST(MeshTiles, DoNotChangeABit) {
