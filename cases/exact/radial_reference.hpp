@@ -16,7 +16,7 @@ class RadialReference : public ExactSolution<2> {
  public:
   /// cells: of the coarser grid across the solid. snapshots: kept intervals; their times are k time_end/snapshots.
   /// Throws InputError if gas and solid do not lie on either side of the interface.
-  explicit RadialReference(const RadialProblem& problem, int cells = 400, int snapshots = 32);
+  explicit RadialReference(const RadialProblem& problem, int cells = 600, int snapshots = 32);
 
   Primitive<2> state(const Point<2>& x, double t) const override;
   bool describes_solid() const override { return true; }
