@@ -54,7 +54,8 @@ using InterfaceScheme = InterfaceSolution (*)(const InterfaceProblem&, const Int
                                               const InterfaceOptions&);
 
 /// projection, traditional, traditional-subiterated, anti-traditional.
-/// All throw NumericalError, naming the fluid face, when no solution exists (non-finite data).
+/// All throw NumericalError, naming the fluid face, when its gas is inadmissible or no solution exists;
+/// traditional-subiterated also when it does not converge, anti-traditional when a structure does not yield.
 const Registry<InterfaceScheme>& interface_schemes();
 
 /// t_I per structure face from the pressures of the fluid faces: −Σ_pieces (p − p_e) S of_fluid / L (or with the

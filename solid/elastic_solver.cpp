@@ -79,6 +79,7 @@ ElasticSolver::ElasticSolver(const Communicator& comm, ElasticSetup setup, Phase
   build_nodes();
   if (grids_.size() == 2) {
     const OverlapBody<2> body{setup_.atlas, setup_.fitted->spacing, setup_.fitted->layers};
+    setup_.overlap.clip = setup_.options.limiter != ElasticLimiter::none;
     overlap_ = std::make_unique<Overlap<2>>(comm_, grids_, std::vector{body}, setup_.domain, setup_.overlap);
   } else if (setup_.fitted) {
     finder_ = std::make_unique<CellFinder>(*setup_.fitted);

@@ -28,6 +28,15 @@ struct ExactSolid {
   Point<2> displacement = Point<2>::Zero();            // u = x − X
   Eigen::Matrix2d stress = Eigen::Matrix2d::Zero();    // linear: σ; hyperelastic: first Piola-Kirchhoff stress P
   Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();  // ∇u, rows: components of u
+
+  /// Superposition of linear motions.
+  ExactSolid& operator+=(const ExactSolid& other) {
+    velocity += other.velocity;
+    displacement += other.displacement;
+    stress += other.stress;
+    gradient += other.gradient;
+    return *this;
+  }
 };
 
 /// The interface at one of its material points. Non-dimensional.
@@ -70,7 +79,7 @@ struct ExactSolution {
 /// The solution named by description.exact, nullptr where that is empty. Throws InputError for an unknown key (with the
 /// nearest one), a key that does not exist in this dimension, and a scene the solution does not cover.
 ///   1D: riemann, uniform, rigid_piston, shock_on_massless_body
-///   2D: riemann, uniform, vortex, weak_shock_on_free_cylinder
+///   2D: riemann, uniform, vortex, weak_shock_on_free_cylinder, and those of elastic_cases.hpp
 template <int Dim>
 std::unique_ptr<ExactSolution<Dim>> make_exact(const CaseDescription& description);
 

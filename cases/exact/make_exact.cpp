@@ -1,5 +1,6 @@
 #include <functional>
 
+#include "mortise/cases/exact/elastic_cases.hpp"
 #include "mortise/cases/exact/exact_solution.hpp"
 #include "mortise/cases/exact/isentropic_vortex.hpp"
 #include "mortise/cases/exact/plane_riemann.hpp"
@@ -34,11 +35,12 @@ Registry<Maker<1>> solutions<1>() {
 
 template <>
 Registry<Maker<2>> solutions<2>() {
-  return {"exact solution in two dimensions",
-          {{"riemann", make<2, PlaneRiemann<2>>},
-           {"uniform", make<2, UniformFlow<2>>},
-           {"vortex", make<2, IsentropicVortex>},
-           {"weak_shock_on_free_cylinder", make<2, WeakShockOnCylinder>}}};
+  std::vector<std::pair<std::string, Maker<2>>> all = elastic_solutions();
+  all.insert(all.end(), {{"riemann", make<2, PlaneRiemann<2>>},
+                         {"uniform", make<2, UniformFlow<2>>},
+                         {"vortex", make<2, IsentropicVortex>},
+                         {"weak_shock_on_free_cylinder", make<2, WeakShockOnCylinder>}});
+  return {"exact solution in two dimensions", std::move(all)};
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ const std::vector<Choice> solid_shapes = {
 };
 const std::vector<Choice> solid_initial_kinds = {
     {"rest", {}, {}},
-    {"exact", {}, {}},
+    {"exact", {}, {"amplitude", "position", "angle", "wave", "length", "mode"}},
     {"plane_wave", {"amplitude"}, {"position", "angle"}},
     {"formula", {"displacement"}, {"velocity"}},
 };
@@ -55,7 +55,7 @@ const std::vector<Choice> initial_kinds = {
     {"riemann", {"left", "right"}, {"position", "angle"}},
     {"vortex", {}, {"strength", "radius", "center", "velocity"}},
     {"regions", {"regions"}, {}},
-    {"exact", {}, {}},
+    {"exact", {}, {"state"}},
 };
 
 /// The choice made in `table` under `selector`; nullptr if there is none or it is not known.

@@ -78,11 +78,16 @@ void check_regions(const Node& root, const CaseDescription& c) {
 }
 
 void check_initial(const Node& root, const CaseDescription& c) {
-  if (c.dimension == 1 && root.find("initial.angle")) reject(root, "initial.angle", "initial.angle is not there in 1D");
+  if (c.dimension == 1 && c.solids.empty() && root.find("initial.angle"))
+    reject(root, "initial.angle", "initial.angle is not there in 1D");
+  if (c.dimension == 1 && c.initial.angle != 0 && c.initial.angle != 180)
+    reject(root, "initial.angle", "initial.angle must be 0 or 180 in 1D, not " + shortest(c.initial.angle));
   if (c.dimension == 1 && c.initial.kind == "vortex")
     reject(root, "initial.kind", "initial.kind = \"vortex\" is not there in 1D");
   if (c.initial.kind == "exact" && c.exact.empty())
     reject(root, "initial.kind", "initial.kind = \"exact\" needs an exact solution: the key \"exact\" is missing");
+  if (c.initial.kind == "exact" && !root.find("initial.state") && !c.solids.empty())
+    reject(root, "initial", "the key \"initial.state\" is missing: the gas that the exact solution is made from");
   check_regions(root, c);
   const double b = c.initial.strength;
   const double coldest =
@@ -109,8 +114,8 @@ void check_exact(const Node& root, const CaseDescription& c) {
                         {"weak_shock_on_free_cylinder", {"shock"}, 2, true},
                         {"elastic_piston", {"uniform"}, 0, false, {"strip"}},
                         {"elastic_piston_shock", {"shock"}, 0, false, {"strip"}},
-                        {"superseismic_shock", {}, 2, false, {"strip"}},
-                        {"deforming_diffuser", {}, 2, false, {"strip"}},
+                        {"superseismic_shock", {"exact"}, 2, false, {"strip"}},
+                        {"deforming_diffuser", {"exact", "uniform"}, 2, false, {"strip"}},
                         {"radial_reference", {"uniform"}, 2, false, {"annulus", "circle"}},
                         {"plane_waves", {}, 2, false, {"plate"}},
                         {"annulus_modes", {}, 2, false, {"annulus"}},
@@ -127,6 +132,9 @@ void check_exact(const Node& root, const CaseDescription& c) {
     if (!need.solid.empty() && (c.solids.size() != 1 ||
                                 std::find(need.solid.begin(), need.solid.end(), c.solids[0].shape) == need.solid.end()))
       reject(root, "exact", exact + "one elastic solid with shape = " + joined(need.solid));
+    if (!need.solid.empty() && c.solids[0].material.law != "linear")
+      reject(root, "exact",
+             exact + "material.law = linear, not " + c.solids[0].material.law + ": use none, or the linear law");
   }
 }
 
@@ -229,7 +237,7 @@ void complete_case(const Node& root, CaseDescription& c) {
   if (c.title.empty()) c.title = c.name;
   if (c.output.empty()) c.output = "output/" + c.name;
   InitialDescription& i = c.initial;
-  if (i.kind == "uniform") i.left = i.right = i.state;
+  if (i.kind == "uniform" || i.kind == "exact") i.left = i.right = i.state;
   if (i.kind == "shock" && i.mach > 0) {
     const double radians = i.angle * std::numbers::pi / 180;
     i.left = gas_behind_shock(i.right, i.mach, {std::cos(radians), std::sin(radians)}, c.gamma, c.p_inf);

@@ -56,14 +56,15 @@ void visit_region(Section& s, RegionDescription& r) {
 void visit_initial(Section& s, CaseDescription& c) {
   InitialDescription& i = c.initial;
   s.choice("kind", i.kind, options::initial_kinds, "how the gas is at t = 0; required where there is gas");
-  s.state("state", i.state, c.p_inf, "uniform: the gas");
+  s.state("state", i.state, c.p_inf,
+          "uniform: the gas; exact: the gas at rest, or the stream, that the exact solution is made from");
   s.state("ahead", i.right, c.p_inf, "shock: gas ahead of the shock");
   s.number("mach", i.mach, {.low = 1, .low_open = true}, "shock: its Mach number relative to the gas ahead");
   s.state("behind", i.left, c.p_inf, "shock: gas behind, instead of mach");
   s.state("left", i.left, c.p_inf, "riemann: gas on the side of low n·x");
   s.state("right", i.right, c.p_inf, "riemann: gas on the side of high n·x");
   s.number("position", i.position, any_number, "shock, riemann: the front is the line n·x = position");
-  s.number("angle", i.angle, any_number, "shock, riemann: direction of n in degrees from +x; not in 1D");
+  s.number("angle", i.angle, any_number, "shock, riemann: direction of n in degrees from +x; in 1D, with solids only, 0 or 180");
   s.number("strength", i.strength, any_number, "vortex: β");
   s.number("radius", i.vortex_radius, positive, "vortex: length scale");
   s.vector("center", i.vortex_center, any_number, "vortex: centre at t = 0");

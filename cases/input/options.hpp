@@ -39,6 +39,7 @@ inline const std::vector<std::string> laws = {"linear", "saint_venant_kirchhoff"
 inline const std::vector<std::string> gas_places = {"outside", "inside", "none"};
 inline const std::vector<std::string> solid_sides = {"free", "fixed", "slip", "periodic", "exact"};
 inline const std::vector<std::string> solid_initial_kinds = {"rest", "exact", "plane_wave", "formula"};
+inline const std::vector<std::string> waves = {"pressure", "shear"};
 inline const std::vector<std::string> solid_limiters = {"none", "minmod", "mc"};
 inline const std::vector<std::string> fsrps = {"nonlinear", "linear"};
 inline const std::vector<std::string> wall_velocities = {"extrapolated", "lagged"};

@@ -35,9 +35,12 @@ struct SolidInitialDescription {
   // rest: undeformed, with the solid's velocity and angular velocity; exact: of the exact solution (default where that
   // knows the solid); plane_wave: u = amplitude (position + c_p t − n·X)₊ n, a front that runs along n; formula.
   std::string kind;
-  double amplitude = 0;  // plane_wave: compression behind the front, −n·∇u n
-  double position = 0;   // plane_wave: the front at t = 0 is the line n·X = position
-  double angle = 0;      // plane_wave: direction of n in degrees from +x
+  double amplitude = 0.01;        // plane_wave: compression behind the front, −n·∇u n; exact waves: displacement
+  double position = 0;            // plane_wave: the front at t = 0 is the line n·X = position
+  double angle = 0;               // plane_wave, exact plane waves: direction of n in degrees from +x
+  std::string wave = "pressure";  // exact plane waves: pressure, shear
+  double length = 1;              // exact plane and surface waves: of the wave
+  int mode = 1;                   // exact modes of an annulus: number of half waves across
   std::string displacement_x, displacement_y, velocity_x, velocity_y;  // formula: of x, y (reference position)
 };
 

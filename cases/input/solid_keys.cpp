@@ -35,9 +35,13 @@ void visit_material(Section& s, MaterialDescription& m) {
 void visit_initial(Section& s, SolidInitialDescription& i) {
   s.choice("kind", i.kind, options::solid_initial_kinds,
            "the solid at t = 0; omitted: of the exact solution if that knows the solid, else at rest");
-  s.number("amplitude", i.amplitude, any_number, "plane_wave: compression behind the front");
-  s.number("position", i.position, any_number, "plane_wave: the front is the line n·x = position");
-  s.number("angle", i.angle, any_number, "plane_wave: direction of n in degrees from +x");
+  s.number("amplitude", i.amplitude, any_number, "plane_wave: compression behind the front; exact waves: displacement");
+  s.number("position", i.position, any_number,
+           "plane_wave: the front is the line n·x = position; exact = plane_waves: a zero of the sine");
+  s.number("angle", i.angle, any_number, "plane_wave, exact = plane_waves: direction of n in degrees from +x");
+  s.choice("wave", i.wave, options::waves, "exact = plane_waves: their kind");
+  s.number("length", i.length, positive, "exact = plane_waves, rayleigh_wave: wave length");
+  s.integer("mode", i.mode, {.low = 1, .high = 20}, "exact = annulus_modes: number of half waves across");
   s.formulas("displacement", i.displacement_x, i.displacement_y, place_only, "formula: displacement");
   s.formulas("velocity", i.velocity_x, i.velocity_y, place_only, "formula: velocity");
 }

@@ -41,10 +41,6 @@ int faces_around(double length, double spacing) {
   return std::max(16, 4 * static_cast<int>(std::lround(0.25 * length / spacing)));
 }
 
-int inward_layers(const Outline& outline, double spacing) {
-  return std::clamp(static_cast<int>(outline.area() / outline.perimeter() / spacing), 3, 8);
-}
-
 GrownGrid strip_grid(const SolidDescription& strip, const LayerDescription& frame, double height, int faces,
                      double spacing, bool periodic) {
   const double angle = frame.angle * std::numbers::pi / 180, length = frame.along_high - frame.along_low;
@@ -74,8 +70,10 @@ GrownGrid ring_grid(const Point<2>& center, double from_radius, double to_radius
 
 GrownGrid outline_grid(const Outline& outline, const Pose<2>& pose, const GrowthOptions& options, int faces) {
   GrownGrid grid = grow(outline, options);
-  if (faces > 0 && faces != grid.along)
-    grid = grow_from(outline_nodes(outline, faces, !options.inward), options, grid.smoothing);
+  if (faces > 0 && faces != grid.along) {
+    const GrowthOptions same{options.spacing, options.layers, options.inward, grid.thickness};
+    grid = grow_from(outline_nodes(outline, faces, !options.inward), same, grid.smoothing);
+  }
   const Frame<2> frame(pose);
   for (Point<2>& node : grid.nodes) node = frame.to_space(node);
   return grid;

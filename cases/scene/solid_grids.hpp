@@ -11,8 +11,6 @@ namespace mortise {
 int even_cells(double length, double spacing);
 /// The number of faces grow() gives a closed curve: the multiple of 4 nearest to length/spacing, at least 16.
 int faces_around(double length, double spacing);
-/// Layers of a grid grown into an outline: as far as half-way to its middle, 3 to 8.
-int inward_layers(const Outline& outline, double spacing);
 
 /// From the wall of a strip to a straight line at `height` along the wall's normal (negative: into the solid).
 /// Throws InputError when the wall crosses that line.

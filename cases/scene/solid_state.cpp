@@ -77,11 +77,6 @@ const Registry<ElasticBoundary>& side_kinds() {
 
 }  // namespace
 
-Material material_of(const SolidDescription& solid) {
-  const MaterialDescription& m = solid.material;
-  return {stress_laws().at(m.law), m.density, m.lambda, m.mu};
-}
-
 SolidFunction solid_function(const SolidDescription& solid, const Material& material,
                              const std::shared_ptr<const ExactSolution<2>>& exact) {
   if (solid.initial.kind == "exact") return [exact](const Point<2>& X, double t) { return exact->solid(X, t); };

@@ -11,9 +11,6 @@ namespace mortise {
 /// Velocity, displacement, stress and displacement gradient of the material point X at time t.
 using SolidFunction = std::function<ExactSolid(const Point<2>& X, double t)>;
 
-/// From a description whose [solid] scale has been applied.
-Material material_of(const SolidDescription& solid);
-
 /// The solid at t = 0 (rest, formula: whatever t) and, for exact and plane_wave, after. The gradient of formulas is
 /// their central difference, exact to about 1e-10.
 SolidFunction solid_function(const SolidDescription& solid, const Material& material,

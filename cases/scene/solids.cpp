@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "mortise/cases/exact/elastic_cases.hpp"
 #include "mortise/cases/scene/bodies.hpp"
 #include "mortise/cases/scene/solid_grids.hpp"
 #include "mortise/cases/scene/solid_state.hpp"
@@ -10,6 +11,7 @@
 namespace mortise {
 namespace {
 
+constexpr int solid_layers = 6;    // of the grid beside an interface: interpolation of full order needs 5
 constexpr double core_margin = 4;  // cells by which a Cartesian core reaches beyond the outline
 
 /// What the grids of one solid are made from, and what they are made for.
@@ -116,9 +118,10 @@ void make_plate(const Making& make) {
   if (b.hole == 0) return;
   const Outline hole = Outline::circle(b.hole);
   const Pose<2> pose{make.center(), 0};
-  auto fitted = std::make_shared<GrownGrid>(outline_grid(hole, pose, {make.spacing, body_layers(0), false}));
+  auto fitted = std::make_shared<GrownGrid>(outline_grid(hole, pose, {make.spacing, solid_layers, false}));
   elastic.fitted = fitted;
   elastic.atlas = std::make_shared<BodyAtlas>(*fitted);
+  elastic.overlap.clip = false;
   close_ends(make);
   set_south(make, b.inner);
   if (b.wet()) grow_gas(make, hole, pose);
@@ -130,13 +133,13 @@ std::shared_ptr<const Outline> make_immersed(const Making& make) {
   ElasticSetup& elastic = make.elastic;
   const auto outline = std::make_shared<Outline>(outline_of(b).centered());
   const Pose<2> pose = pose_of(b);
-  auto fitted = std::make_shared<GrownGrid>(
-      outline_grid(*outline, pose, {make.spacing, inward_layers(*outline, make.spacing), true}));
+  auto fitted = std::make_shared<GrownGrid>(outline_grid(*outline, pose, {make.spacing, solid_layers, true}));
   Box<2> box;
   for (const Point<2>& node : fitted->nodes) box.include(node);
   fill_box(elastic, box.grown(core_margin * make.spacing), make.spacing);
   elastic.fitted = fitted;
   elastic.atlas = std::make_shared<BodyAtlas>(*fitted, true);
+  elastic.overlap = composite_options<2>({elastic.atlas, fitted->thickness, fitted->layers}, make.spacing);
   close_ends(make);
   set_south(make, b.outer);
   if (b.wet()) grow_gas(make, *outline, pose);
@@ -197,7 +200,7 @@ void check_displaced(const FittedBody<2>& gas, const InterfaceSetup& interface) 
     if (gas.mesh)
       stretch_between(curve, interface.far, grid.layers, grid.spacing, grid.periodic, grid.period);
     else
-      grow_from(curve, {grid.spacing, grid.layers, interface.inward}, grid.smoothing);
+      grow_from(curve, {grid.spacing, grid.layers, interface.inward, grid.thickness}, grid.smoothing);
   } catch (const NumericalError& error) {
     throw InputError(std::string("initial: the displacement at t = 0 folds the gas's grid: ") + error.what());
   }

@@ -53,6 +53,10 @@ FaceFluid::FaceFluid(const InterfaceProblem& problem, const InterfaceOptions& op
     : trace_(problem.fluid[face]), law_(*problem.law), nonlinear_(options.nonlinear), face_(face) {
   velocity_ = unit(problem.area[face]).dot(trace_.velocity);
   impedance_ = law_(trace_.density, trace_.pressure, 0).impedance;
+  if (!(trace_.density > 0) || !(impedance_ > 0) || !std::isfinite(impedance_ + velocity_ + trace_.pressure))
+    throw NumericalError("inadmissible gas at fluid face " + std::to_string(face) + " of the interface: density " +
+                         std::to_string(trace_.density) + ", pressure " + std::to_string(trace_.pressure) +
+                         ", normal velocity " + std::to_string(velocity_));
 }
 
 WallPressure FaceFluid::operator()(double velocity) const {

@@ -21,7 +21,7 @@ struct FaceStructure {
 };
 std::vector<FaceStructure> structure_at_fluid_faces(const InterfaceProblem& problem, const InterfaceOptions& options);
 
-/// The fluid at one face, along its normal: P(v) by the law asked for.
+/// The fluid at one face, along its normal: P(v) by the law asked for. Throws NumericalError if it is inadmissible.
 class FaceFluid {
  public:
   FaceFluid(const InterfaceProblem& problem, const InterfaceOptions& options, std::size_t face);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -123,6 +124,8 @@ class BodyAtlas {
   /// The stencil's middle is the cell with the nearest centre; to third order, round(ξ) may name its neighbour.
   bool locate(const Point<2>& X, StencilPoint& where) const;
   bool locate(const Point<2>& X, Point<2>& logical) const;
+  /// The same for the stencil where.center, which need not be the nearest, beginning at where.offset.
+  bool locate_on(const Point<2>& X, StencilPoint& where) const { return solve(X, where); }
 
   /// As locate(); but a point that is beyond the innermost row by at most 3 spacings inside the body is given the
   /// coordinates of the nearest point of the curve η = 0 through the first row's centres. For tight gaps.
@@ -136,7 +139,8 @@ class BodyAtlas {
   void fill_distances(const Outline& outline);
   void fill_nearest_cells();
   void rasterize();
-  void rasterize_cell(int i, int j);
+  void rasterize_cell(int i, int j, const std::array<Point<2>, 4>& quad);
+  std::vector<Point<2>> table_row(int j) const;
   void fill_interior(double from, double to);
   double distance_bound(const Point<2>& X) const;
   int nearest_cell(const Point<2>& X) const;  // −1: none near

@@ -27,6 +27,14 @@ bool locate_in(const LineAtlas& atlas, int side, const Point<1>& X, bool tight, 
   return true;
 }
 
+/// Offset of the point at `place` from the middle of another stencil, where `offset` is nearly right: what makes
+/// extrapolation of linear functions exact.
+void refine(const BodyAtlas& atlas, const Index<2>& center, const std::array<double, 2>& place, std::array<double, 2>& offset) {
+  StencilPoint where{center, {offset[0], offset[1]}};
+  if (atlas.locate_on({place[0], place[1]}, where)) offset = {where.offset[0], where.offset[1]};
+}
+void refine(const LineAtlas&, const Index<1>&, const std::array<double, 1>&, std::array<double, 1>&) {}
+
 /// All shifts with entries −range … range, those closest to the point at `offset` first: no direction is preferred.
 template <int Dim>
 std::vector<Index<Dim>> nearest_first(int range, const std::array<double, Dim>& offset) {
@@ -113,6 +121,7 @@ bool Overlap<Dim>::locate(const Choice& choice, const Point<Dim>& x, Candidate& 
   }
   const auto b = static_cast<std::size_t>(choice.body);
   const Point<Dim> X = frames_[b].to_body(x);
+  for (std::size_t d = 0; d < Dim; ++d) found.place[d] = X[static_cast<int>(d)];
   found.grid = component(choice.body, X);
   return found.grid >= 0 && locate_in(*bodies_[b].atlas, grids_[static_cast<std::size_t>(found.grid)].side, X, choice.tight, found.center, found.offset);
 }
@@ -181,7 +190,17 @@ bool Overlap<Dim>::accept(const Candidate& request, Donor<Dim>& donor) const {
     for (std::size_t d = 0; d < Dim; ++d) center[d] += shift[d];
     if (!stencil_valid(request.grid, at.local, center)) return false;
     donor.center = grid.shape.at(center);
-    for (std::size_t d = 0; d < Dim; ++d) donor.weights[d] = quadratic_weights(request.offset[d] - shift[d]);
+    std::array<double, Dim> offset = request.offset;
+    for (std::size_t d = 0; d < Dim; ++d) offset[d] -= shift[d];
+    if (shift != Index<Dim>{} && !grid.background() && !request.tight && !options_.clip) {
+      Index<Dim> on_grid = request.center;
+      for (std::size_t d = 0; d < Dim; ++d) {
+        on_grid[d] += shift[d];
+        if (grid.periodic[d]) on_grid[d] = (on_grid[d] + grid.cells[d]) % grid.cells[d];
+      }
+      refine(*bodies_[static_cast<std::size_t>(grid.body)].atlas, on_grid, request.place, offset);
+    }
+    for (std::size_t d = 0; d < Dim; ++d) donor.weights[d] = quadratic_weights(offset[d]);
     return true;
   };
   if (accept_shifted(Index<Dim>{})) return true;

@@ -15,6 +15,7 @@
 // Everything here is a function of the poses alone, so the answer does not depend on the number of ranks.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <span>
 #include <string>
@@ -30,8 +31,8 @@ namespace mortise {
 struct OverlapOptions {
   double overlap = 3;  // cells by which background and body grid are both active
   double margin = 1;   // cells by which the grids of two close bodies are both active on each other's side
-  bool clip = true;    // interpolated values to the range of the donor's stencil: off for smooth fields
   double least_gap = 3;  // cells between bodies, or a body and the edge of the domain, below which orphans may occur
+  bool clip = true;      // interpolated values to the range of the donor's stencil: off for smooth fields
 };
 
 /// Totals over all ranks since the last cut.
@@ -50,6 +51,13 @@ struct OverlapBody {
   double spacing = 0;  // of the body's grids, across
   int layers = 0;      // of the body's grids, the outer two of which are fringe
 };
+
+/// Options for a body made of a grid within its outline and a Cartesian core, nothing being known outside: the core's
+/// fringe, two cells wide, ends at the outline. Full order takes at least 5 layers (three rows that are not fringe).
+template <int Dim>
+OverlapOptions composite_options(const OverlapBody<Dim>& body, double core_spacing) {
+  return {.overlap = std::min(OverlapOptions{}.overlap, body.layers - 2 - 2 * core_spacing / body.spacing), .clip = false};
+}
 
 /// Where a value is interpolated from: nine (1D: three) cells around `center` of a local tile.
 template <int Dim>
@@ -106,6 +114,7 @@ class Overlap {
   struct Candidate {  // a grid that may hold a donor
     Index<Dim> center{};               // grid-wide index of the middle of its stencil
     std::array<double, Dim> offset{};  // of the point from there, in cells
+    std::array<double, Dim> place{};   // the point, in the body's frame
     int grid = -1;
     bool tight = false;                // a donor of lower order will do
   };

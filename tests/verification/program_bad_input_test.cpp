@@ -20,6 +20,16 @@ Arguments sets(const Arguments& values) {
   return all;
 }
 
+/// An elastic disk between the two bodies, as written but for some of its keys.
+Arguments soft_disk(const std::string& keys, const std::string& material = "density=1, lambda=1, mu=1") {
+  return sets({"solids=[{shape=\"circle\", " + keys + ", material={" + material + "}}]"});
+}
+
+Arguments with(Arguments arguments, const Arguments& more) {
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
 Arguments spline(const std::string& file) { return sets({"bodies.0.shape=spline", "bodies.0.points=" + file}); }
 
 /// A folder with the valid case and outlines that are none.
@@ -110,6 +120,24 @@ std::vector<Mistake> mistakes() {
       {"motion_not_0_at_the_start", sets({"bodies.0.motion.x=1+t"}), {"must be 0 at t = 0"}},
       {"formula_that_is_none", sets({"bodies.0.force.x=sin(t"}), {"bodies.0.force.x"}},
       {"names_twice", sets({"bodies.0.name=second"}), {"\"second\" is the name of another one"}},
+      {"shear_modulus_0",
+       soft_disk("radius=0.1, position=[0, 0.6]", "density=1, lambda=1, mu=0"),
+       {"solids.0.material.mu = 0", "must be > 0"}},
+      {"unstable_material",
+       soft_disk("radius=0.1, position=[0, 0.6]", "density=1, lambda=-2, mu=1"),
+       {"solids.0.material.lambda = -2", "λ + μ must be > 0"}},
+      {"unknown_law",
+       soft_disk("radius=0.1, position=[0, 0.6]", "law=\"liner\", density=1, lambda=1, mu=1"),
+       {"did you mean \"linear\"?"}},
+      {"interface_without_a_scheme",
+       with(soft_disk("radius=0.1, position=[0, 0.6]"), sets({"scheme=rigid"})),
+       {"leaves the interface of solids.0 (circle_0) without a scheme", "use projection"}},
+      {"solid_on_body",
+       soft_disk("radius=0.2, position=[0.1, 0]"),
+       {"overlaps solids.0 (circle_0)", "at t = 0"}},
+      {"inverted_solid",
+       soft_disk("radius=0.2, position=[0, 0.6], initial={kind=\"formula\", displacement=[\"-2*x\", 0]}"),
+       {"solids.0 (circle_0)", "J = det(I + ∇u) is -1", "must be > 0"}},
   };
 }
 

@@ -266,6 +266,7 @@ TEST_F(ProgramOutput, Lists) {
   EXPECT_TRUE(has(listed("schemes"), "traditional"));
   EXPECT_TRUE(has(listed("riemann"), "exact"));
   EXPECT_TRUE(has(listed("limiters"), "mc"));
+  EXPECT_TRUE(has(listed("materials"), "neo_hookean"));
   EXPECT_TRUE(has(listed("keys"), "bodies.N.density"));
   const std::string all = run({"list"}).output;
   for (const char* kind : {"cases ", "schemes ", "riemann ", "limiters ", "shapes ", "boundaries ", "pictures "})

@@ -124,7 +124,10 @@ TEST(CaseChecks, Schemes) {
   EXPECT_EQ(read_text(plane_case).scheme, "rigid");
   EXPECT_EQ(error_of(plane_case, {"scheme=rigit"}),
             "--set scheme=rigit: scheme = \"rigit\" is not known, did you mean \"rigid\"? (allowed: none, rigid, "
-            "traditional)");
+            "traditional, projection, traditional-subiterated, anti-traditional)");
+  EXPECT_EQ(error_of(plane_case, {"scheme=projection"}),
+            "--set scheme=projection: scheme = \"projection\" needs an elastic solid in gas and the case has none: use "
+            "rigid or traditional");
   EXPECT_EQ(error_of(plane_case, {"scheme=none"}),
             "--set scheme=none: scheme = \"none\" cannot move bodies: use rigid or traditional");
   EXPECT_EQ(error_of(no_bodies, {"scheme=rigid"}),
