@@ -228,10 +228,10 @@ void check_background(const Node& root, const CaseDescription& c, const SolidDes
 void check_pictures(const Node& root, const CaseDescription& c) {
   for (const std::string& picture : c.pictures) {
     if (picture == "stress" && c.solids.empty())
-      reject(root, "output.pictures", "output.pictures: \"stress\" needs an elastic solid");
+      reject(root, "output.pictures", "the picture \"stress\" of output.pictures needs an elastic solid");
     if (!c.has_gas && (picture == "schlieren" || picture == "pressure" || picture == "mach"))
       reject(root, "output.pictures",
-             "output.pictures: \"" + picture + "\" needs gas; allowed without: stress, velocity, grids");
+             "the picture \"" + picture + "\" of output.pictures needs gas; allowed without: stress, velocity, grids");
   }
 }
 

@@ -206,5 +206,16 @@ TEST(SolidChecks, ExactSolutionsNeedTheirSolid) {
             std::string::npos);
 }
 
+TEST(SolidChecks, PicturesHaveSomethingToShow) {
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(read_text(plate).pictures, Names{"stress"});
+  EXPECT_EQ(read_text(disk).pictures, Names{"schlieren"});
+  EXPECT_EQ(read_text(disk, {"output.pictures=[\"stress\"]"}).pictures, Names{"stress"});
+  EXPECT_EQ(error_with(plate, "output.pictures=[\"pressure\"]"),
+            "the picture \"pressure\" of output.pictures needs gas; allowed without: stress, velocity, grids");
+  EXPECT_EQ(error_with(test::plane_case, "output.pictures=[\"stress\"]"),
+            "the picture \"stress\" of output.pictures needs an elastic solid");
+}
+
 }  // namespace
 }  // namespace mortise

@@ -44,6 +44,7 @@ Snapshot example(double time, int step) {
   snapshot.grids = {plane_grid("background", 5, 3), plane_grid("stick <0>/a", 4, 7),
                     line_grid("line", {0.0, 0.5, 1.0})};
   snapshot.grids.back().fields = {{"density", {1.0, 2.0}}};
+  snapshot.grids[1].solid = true;
   snapshot.outlines = {{Point<2>(0, 0), Point<2>(1, 0), Point<2>(0, 1)},
                        {Point<2>(2, 2), Point<2>(3, 2), Point<2>(3, 3), Point<2>(2, 3)}};
   return snapshot;
@@ -58,6 +59,7 @@ void expect_same(const Snapshot& a, const Snapshot& b) {
     EXPECT_EQ(a.grids[k].name, b.grids[k].name);
     EXPECT_EQ(a.grids[k].cells, b.grids[k].cells);
     EXPECT_EQ(a.grids[k].dimension, b.grids[k].dimension);
+    EXPECT_EQ(a.grids[k].solid, b.grids[k].solid);
     EXPECT_EQ(a.grids[k].x, b.grids[k].x);
     EXPECT_EQ(a.grids[k].y, b.grids[k].y);
     EXPECT_EQ(a.grids[k].mask, b.grids[k].mask);
