@@ -48,7 +48,7 @@ void complete_sides(CaseDescription& c, SolidDescription& b) {
 void complete_solid(const Node& root, CaseDescription& c, std::size_t k) {
   SolidDescription& b = c.solids[k];
   b.place = root.find("solids." + std::to_string(k))->place;
-  if (b.name.empty()) b.name = b.shape + "_" + std::to_string(k);
+  if (b.name.empty()) b.name = b.shape + "_" + std::to_string(c.bodies.size() + k);
   if (b.gas.empty()) b.gas = b.annulus() || b.plate() ? "none" : "outside";
   if (!b.points.empty()) b.points = (std::filesystem::path(c.folder) / b.points).string();
   MaterialDescription& m = b.material;

@@ -49,7 +49,7 @@ struct SolidDescription : ShapeDescription {
   // shape, further: annulus; plate (rectangle with a round hole, or without); strip (behind a straight wall through the
   // origin)
   std::string place;                          // file:line:column of its table
-  std::string name;                           // default: <shape>_<index>
+  std::string name;                           // default: <shape>_<index>, counted on from the bodies
   double inner_radius = 0, outer_radius = 0;  // annulus
   std::array<double, 2> low{}, high{};        // plate: opposite corners
   double hole = 0;                            // plate: radius of a hole around `position`; 0: none

@@ -83,7 +83,7 @@ void visit_layer(Section& s, CaseDescription& c) {
 }
 
 void visit_solid(Section& s, SolidDescription& b) {
-  s.text("name", b.name, "name in all output; default: <shape>_<index>");
+  s.text("name", b.name, "name in all output; default: <shape>_<index>, counted on from the bodies");
   visit_geometry(s, b);
   s.vector("position", b.position, any_number, "centre at t = 0; not of strips");
   s.number("angle", b.angle, any_number, "angle at t = 0 in degrees");

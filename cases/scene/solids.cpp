@@ -1,5 +1,6 @@
 #include "mortise/cases/scene/solids.hpp"
 
+#include <Eigen/LU>
 #include <numbers>
 
 #include "mortise/cases/exact/elastic_cases.hpp"
@@ -35,11 +36,10 @@ void set_side(const Making& make, Side on, const SideDescription& side) {
   make.elastic.fitted_sides[static_cast<std::size_t>(on)] = elastic_side(side);
 }
 
-/// The south side is the interface, or a side like others.
-void set_south(const Making& make, const SideDescription& side) {
-  set_side(make, Side::south, side);
-  if (make.from.wet())
-    make.elastic.fitted_sides[static_cast<std::size_t>(Side::south)] = {ElasticBoundary::interface, {}};
+/// The south side is the interface, or without gas a side like others.
+void set_south(const Making& make, const SideDescription& dry) {
+  ElasticSide& south = make.elastic.fitted_sides[static_cast<std::size_t>(Side::south)];
+  south = make.from.wet() ? ElasticSide{ElasticBoundary::interface, {}} : elastic_side(dry);
 }
 
 /// A grid that closes on itself has no ends.

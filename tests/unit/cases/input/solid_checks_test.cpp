@@ -106,8 +106,8 @@ TEST(SolidChecks, RigidAndElasticTogether) {
       read_text(disk + "[[bodies]]\nshape = \"circle\"\nradius = 0.1\nposition = [0, -0.5]\ndensity = 0\n");
   EXPECT_EQ(c.scheme, "projection");
   EXPECT_EQ(c.bodies.size(), 1u);
-  EXPECT_NE(error_of(disk + "[[bodies]]\nshape = \"circle\"\nradius = 0.1\ndensity = 1\nname = \"circle_0\"\n")
-                .find("solids.0.name = \"circle_0\" is the name of another one, too"),
+  EXPECT_NE(error_of(disk + "[[bodies]]\nshape = \"circle\"\nradius = 0.1\ndensity = 1\nname = \"circle_1\"\n")
+                .find("solids.0.name = \"circle_1\" is the name of another one, too"),
             std::string::npos);
 }
 
