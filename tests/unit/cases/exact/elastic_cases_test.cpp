@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "mortise/cases/exact/linear_elasticity.hpp"
+#include "mortise/grids/core/error.hpp"
 
 namespace mortise {
 namespace {
@@ -29,6 +30,22 @@ TEST(ElasticCases, PistonFollowsTheWallsAngle) {
   description.layer.angle = 30;
   const ExactInterface face = *make_exact<2>(description)->interface_at(Point<2>::Zero(), 0.5);
   EXPECT_NEAR((face.position + std::pow(0.5, 4) / 4 * direction(std::acos(-1.0) / 6)).norm(), 0, 1e-15);
+}
+
+TEST(ElasticCases, BarStartsFromItsFormulas) {
+  CaseDescription description = scene("elastic_bar", "strip");
+  SolidDescription& solid = description.solids[0];
+  solid.thickness = 1;
+  solid.back.kind = "fixed";
+  solid.initial.kind = "formula";
+  solid.initial.velocity_y = "0.15*sin(pi*y)^4";
+  description.layer.angle = 90;
+  const auto solution = make_exact<2>(description);
+  EXPECT_NEAR(solution->solid({0.3, -0.25}, 0).velocity[1], 0.15 / 4, 1e-15);
+  EXPECT_NEAR(solution->solid({0.3, -1}, 0.4).displacement.norm(), 0, 1e-14);
+  EXPECT_GT(solution->interface_at({0.3, 0}, 0.4)->velocity[1], 0.01);
+  description.solids[0].back.kind = "free";
+  EXPECT_THROW(make_exact<2>(description), InputError);
 }
 
 TEST(ElasticCases, ShockArrivesFromTheGas) {
