@@ -10,37 +10,45 @@
 namespace mortise {
 namespace {
 
-/// The wall without load and its slope, functions of X.
-std::function<double(double)> wavy_top(const DeformingDiffuserProblem& problem) {
-  return [A = problem.amplitude, k = 2 * std::numbers::pi / problem.period](double X) {
-    return -A * (1 - std::cos(k * X));
-  };
-}
-std::function<double(double)> wavy_slope(const DeformingDiffuserProblem& problem) {
-  return
-      [A = problem.amplitude, k = 2 * std::numbers::pi / problem.period](double X) { return -A * k * std::sin(k * X); };
-}
+constexpr int surface_harmonics = 40;  // of the shapes of the wall
 
 }  // namespace
+
+std::function<double(double)> cosine_wall(double amplitude, double period) {
+  return [=](double X) { return -amplitude * (1 - std::cos(2 * std::numbers::pi * X / period)); };
+}
 
 DeformingDiffuser::DeformingDiffuser(const DeformingDiffuserProblem& problem, int harmonics)
     : problem_(problem),
       mach_(problem.speed / std::sqrt(problem.gamma * problem.pressure / problem.density)),
       angle_(prandtl_meyer_angle(mach_, problem.gamma)),
-      strip_(problem.material, problem.period, problem.height, wavy_top(problem), wavy_slope(problem), harmonics) {
+      strip_(problem.material, PeriodicSeries(problem.wall, problem.period, surface_harmonics), problem.height,
+             harmonics) {
   equilibrate();
+  for (const int component : {0, 1}) displacement_.push_back(surface_displacement(component));
 }
 
-/// The deformed wall at the reference abscissa X and the gas on it.
-DeformingDiffuser::Wall DeformingDiffuser::wall(double X) const {
-  const Point<2> reference(X, strip_.top(X)), along_top(1, strip_.top_slope(X));
-  const ExactSolid solid = strip_(reference);
+/// The wall at the reference abscissa X and the gas on it, for a displacement of the top and its derivative along X.
+DeformingDiffuser::Wall DeformingDiffuser::deformed(double X, const Point<2>& displacement,
+                                                    const Point<2>& displacement_slope) const {
   Wall wall;
-  wall.position = reference + solid.displacement;
-  wall.tangent = along_top + solid.gradient * along_top;
+  wall.position = Point<2>(X, strip_.top().value(X)) + displacement;
+  wall.tangent = Point<2>(1, strip_.top().slope(X)) + displacement_slope;
   wall.angle = std::atan2(wall.tangent[1], wall.tangent[0]);
   wall.mach = mach_at_angle(angle_ - wall.angle, problem_.gamma, mach_);
   return wall;
+}
+
+DeformingDiffuser::Wall DeformingDiffuser::wall(double X) const {
+  return deformed(X, {displacement_[0].value(X), displacement_[1].value(X)},
+                  {displacement_[0].slope(X), displacement_[1].slope(X)});
+}
+
+PeriodicSeries DeformingDiffuser::surface_displacement(int component) const {
+  return {[&](double X) {
+            return strip_({X, strip_.top().value(X)}).displacement[component];
+          },
+          problem_.period, surface_harmonics};
 }
 
 double DeformingDiffuser::pressure_at(double mach) const {
@@ -53,9 +61,10 @@ void DeformingDiffuser::equilibrate() {
   for (int iteration = 0; iteration < 200; ++iteration) {
     double change = 0;
     for (int i = 0; i < strip_.points(); ++i) {
-      const double X = strip_.point(i)[0];
-      const Wall here = wall(X);
-      const double stretch = here.tangent.norm() / Point<2>(1, strip_.top_slope(X)).norm();
+      const Point<2> X = strip_.point(i), along_top(1, strip_.top().slope(X[0]));
+      const ExactSolid solid = strip_(X);
+      const Wall here = deformed(X[0], solid.displacement, solid.gradient * along_top);
+      const double stretch = here.tangent.norm() / along_top.norm();
       const double area = problem_.load == LoadLaw::current_area ? stretch : 1;
       const Point<2> normal = left_of(here.tangent.normalized());
       const Point<2> load = -(pressure_at(here.mach) - problem_.reference_pressure) * area * normal;
@@ -68,21 +77,23 @@ void DeformingDiffuser::equilibrate() {
   throw NumericalError("the gas and the elastic strip of the deforming diffuser find no equilibrium");
 }
 
-/// The wall point whose characteristic passes through x, by the Illinois variant of the false position: seen along the
-/// wall, characteristics that do not cross arrive at the height of x in order.
+/// How far right of x, at its height, the characteristic from the wall at X passes.
+double DeformingDiffuser::overshoot(double X, const Point<2>& x) const {
+  const Wall from = wall(X);
+  const double slope = std::tan(from.angle + std::asin(1 / from.mach));
+  return from.position[0] + (x[1] - from.position[1]) / slope - x[0];
+}
+
+/// Finds the wall point whose characteristic passes through x by the Illinois variant of the false position: below the
+/// height where they first cross, characteristics pass in the order of their wall points.
 Primitive<2> DeformingDiffuser::state(const Point<2>& x, double /*t*/) const {
-  const auto overshoot = [&](double X) {
-    const Wall from = wall(X);
-    const double slope = std::tan(from.angle + std::asin(1 / from.mach));
-    return from.position[0] + (x[1] - from.position[1]) / slope - x[0];
-  };
-  const double reach = 0.1 * problem_.period + 4 * std::max(0.0, x[1] + 2 * problem_.amplitude);
-  double low = x[0] - reach, high = x[0] + 0.1 * problem_.period;
-  double at_low = overshoot(low), at_high = overshoot(high), X = x[0];
-  for (int iteration = 0; iteration < 100; ++iteration) {
+  const double run = 1 / std::tan(std::asin(1 / mach_));  // of the undisturbed characteristics, along x per height
+  double low = x[0] - 2 * run * std::max(0.0, x[1]) - 0.2 * problem_.period, high = x[0] + 0.2 * problem_.period;
+  double at_low = overshoot(low, x), at_high = overshoot(high, x), X = high;
+  for (int iteration = 0; iteration < 100 && std::abs(high - low) > 1e-15; ++iteration) {
     X = (low * at_high - high * at_low) / (at_high - at_low);
-    const double here = overshoot(X);
-    if (std::abs(here) < 1e-14) break;
+    const double here = overshoot(X, x);
+    if (std::abs(here) < 1e-14 * problem_.period) break;
     if (here * at_high < 0) {
       low = high;
       at_low = at_high;
@@ -91,11 +102,10 @@ Primitive<2> DeformingDiffuser::state(const Point<2>& x, double /*t*/) const {
     }
     high = X;
     at_high = here;
-    if (std::abs(high - low) < 1e-15) break;
   }
   const Wall from = wall(X);
-  const double p = pressure_at(from.mach),
-               density = problem_.density * std::pow(p / problem_.pressure, 1 / problem_.gamma);
+  const double p = pressure_at(from.mach);
+  const double density = problem_.density * std::pow(p / problem_.pressure, 1 / problem_.gamma);
   const double speed = from.mach * std::sqrt(problem_.gamma * p / density);
   return {density, {speed * std::cos(from.angle), speed * std::sin(from.angle)}, p};
 }

@@ -6,13 +6,16 @@
 
 #include "mortise/cases/exact/annulus_mode.hpp"
 #include "mortise/cases/exact/deforming_diffuser.hpp"
+#include "mortise/cases/exact/elastic_bar.hpp"
 #include "mortise/cases/exact/elastic_piston.hpp"
 #include "mortise/cases/exact/elastic_piston_shock.hpp"
+#include "mortise/cases/exact/linear_elasticity.hpp"
 #include "mortise/cases/exact/plane_waves.hpp"
 #include "mortise/cases/exact/radial_reference.hpp"
 #include "mortise/cases/exact/rayleigh_wave.hpp"
 #include "mortise/cases/exact/superseismic_shock.hpp"
 #include "mortise/cases/input/expression.hpp"
+#include "mortise/grids/core/error.hpp"
 
 namespace mortise {
 namespace {
@@ -36,15 +39,39 @@ Problem with_gas(const CaseDescription& c, const std::array<double, 4>& gas) {
   return problem;
 }
 
-/// The interface moves with F = −t⁴/4 along the wall's normal.
-Made elastic_piston(const CaseDescription& c) {
+ElasticPistonProblem beside_a_wall(const CaseDescription& c) {
   auto problem = with_gas<ElasticPistonProblem>(c, c.initial.state);
   problem.p_inf = c.p_inf;
   problem.reference_pressure = c.coupling.reference_pressure;
   problem.length = c.solids[0].thickness;
   problem.angle = c.layer.angle * radians;
   problem.time_end = c.time_end;
-  return std::make_unique<ElasticPiston>(power_of_time(problem, -0.25, 4));
+  return problem;
+}
+
+/// The interface moves with F = −t⁴/4 along the wall's normal.
+Made elastic_piston(const CaseDescription& c) {
+  return std::make_unique<ElasticPiston>(power_of_time(beside_a_wall(c), -0.25, 4));
+}
+
+/// The initial velocity of the solid along the wall's normal, from its formulas.
+Made elastic_bar(const CaseDescription& c) {
+  const SolidDescription& solid = c.solids[0];
+  if (solid.initial.kind != "formula" || solid.back.kind != "fixed" ||
+      c.coupling.reference_pressure != c.initial.state[3])
+    throw InputError(
+        "exact = \"elastic_bar\" needs solids.0.initial.kind = \"formula\" with a velocity, solids.0.sides.back = "
+        "\"fixed\" "
+        "and coupling.reference_pressure equal to the pressure of the gas");
+  const auto parsed = [](const std::string& formula) {
+    return Expression(formula.empty() ? "0" : formula, {"x", "y"});
+  };
+  const ElasticPistonProblem problem = beside_a_wall(c);
+  const auto velocity = [n = direction(problem.angle), u = parsed(solid.initial.velocity_x),
+                         v = parsed(solid.initial.velocity_y)](double xi) {
+    return u(xi * n[0], xi * n[1]) * n[0] + v(xi * n[0], xi * n[1]) * n[1];
+  };
+  return std::make_unique<ElasticPiston>(fixed_bar(problem, velocity));
 }
 
 Made elastic_piston_shock(const CaseDescription& c) {
@@ -75,6 +102,8 @@ Made deforming_diffuser(const CaseDescription& c) {
   problem.period = c.layer.along_high - c.layer.along_low;
   problem.height = c.solids[0].thickness;
   problem.load = load_of(c);
+  const std::string& wall = c.solids[0].wall;
+  problem.wall = [formula = Expression(wall.empty() ? "0" : wall, {"x"})](double x) { return formula(x); };
   return std::make_unique<DeformingDiffuser>(problem);
 }
 
@@ -136,10 +165,15 @@ Material material_of(const SolidDescription& solid) {
 }
 
 std::vector<std::pair<std::string, ElasticMaker>> elastic_solutions() {
-  return {{"elastic_piston", elastic_piston},         {"elastic_piston_shock", elastic_piston_shock},
-          {"superseismic_shock", superseismic_shock}, {"deforming_diffuser", deforming_diffuser},
-          {"radial_reference", radial_reference},     {"plane_waves", plane_waves},
-          {"annulus_modes", annulus_modes},           {"rayleigh_wave", rayleigh_wave}};
+  return {{"elastic_piston", elastic_piston},
+          {"elastic_bar", elastic_bar},
+          {"elastic_piston_shock", elastic_piston_shock},
+          {"superseismic_shock", superseismic_shock},
+          {"deforming_diffuser", deforming_diffuser},
+          {"radial_reference", radial_reference},
+          {"plane_waves", plane_waves},
+          {"annulus_modes", annulus_modes},
+          {"rayleigh_wave", rayleigh_wave}};
 }
 
 }  // namespace mortise

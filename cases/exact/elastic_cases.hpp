@@ -16,7 +16,7 @@ namespace mortise {
 /// Of a solid whose description is complete.
 Material material_of(const SolidDescription& solid);
 
-/// Keys and makers: elastic_piston, elastic_piston_shock, superseismic_shock, deforming_diffuser, radial_reference,
+/// Keys and makers: elastic_piston, elastic_bar, elastic_piston_shock, superseismic_shock, deforming_diffuser, radial_reference,
 /// plane_waves, annulus_modes, rayleigh_wave. The description has been checked.
 using ElasticMaker = std::function<std::unique_ptr<ExactSolution<2>>(const CaseDescription&)>;
 std::vector<std::pair<std::string, ElasticMaker>> elastic_solutions();

@@ -23,13 +23,10 @@ Harmonic harmonic(bool of_p, double k, double eta, double height, double alpha) 
 
 }  // namespace
 
-ElasticStrip::ElasticStrip(const Material& material, double period, double height, std::function<double(double)> top,
-                           std::function<double(double)> top_slope, int harmonics)
+ElasticStrip::ElasticStrip(const Material& material, PeriodicSeries top, double height, int harmonics)
     : material_(material),
-      period_(period),
-      height_(height),
       top_(std::move(top)),
-      top_slope_(std::move(top_slope)),
+      height_(height),
       harmonics_(harmonics),
       coefficients_(Eigen::VectorXd::Zero(2 * points())) {
   Eigen::MatrixXd matrix(2 * points(), 2 * points());
@@ -40,11 +37,11 @@ ElasticStrip::ElasticStrip(const Material& material, double period, double heigh
 }
 
 Point<2> ElasticStrip::point(int i) const {
-  const double X = period_ * i / points();
-  return {X, top_(X)};
+  const double X = top_.period() * i / points();
+  return {X, top_.value(X)};
 }
 
-Point<2> ElasticStrip::normal(double X) const { return Point<2>(-top_slope_(X), 1).normalized(); }
+Point<2> ElasticStrip::normal(double X) const { return Point<2>(-top_.slope(X), 1).normalized(); }
 
 /// Columns 0 and 1: p and q of k = 0; then for every harmonic the real and imaginary parts of p and of q.
 ExactSolid ElasticStrip::basis(int column, const Point<2>& X) const {
@@ -54,7 +51,7 @@ ExactSolid ElasticStrip::basis(int column, const Point<2>& X) const {
     solid.displacement[column] = eta;
     solid.gradient(column, 1) = 1;
   } else {
-    const double k = 2 * std::numbers::pi * ((column - 2) / 4 + 1) / period_;
+    const double k = 2 * std::numbers::pi * ((column - 2) / 4 + 1) / top_.period();
     const double alpha = (material_.lambda + material_.mu) / material_.mu;
     const Harmonic h = harmonic((column - 2) % 4 < 2, k, eta, height_, alpha);
     const std::complex<double> i(0, 1), wave = ((column % 2 == 0) ? 1.0 : i) * std::exp(i * k * X[0]);

@@ -7,23 +7,21 @@
 #pragma once
 
 #include <Eigen/LU>
-#include <functional>
 
 #include "mortise/cases/exact/exact_solution.hpp"
+#include "mortise/cases/exact/periodic_series.hpp"
 #include "mortise/solid/material.hpp"
 
 namespace mortise {
 
 class ElasticStrip {
  public:
-  /// top: Y(X) and its slope.
-  ElasticStrip(const Material& material, double period, double height, std::function<double(double)> top,
-               std::function<double(double)> top_slope, int harmonics);
+  /// top: Y(X) of the stress-free strip.
+  ElasticStrip(const Material& material, PeriodicSeries top, double height, int harmonics);
 
   int points() const { return 2 * harmonics_ + 1; }
   Point<2> point(int i) const;  // where tractions are given
-  double top(double X) const { return top_(X); }
-  double top_slope(double X) const { return top_slope_(X); }
+  const PeriodicSeries& top() const { return top_; }
   Point<2> normal(double X) const;  // unit reference normal of the top, upwards
 
   /// Sets the tractions (reference normal, per reference area) at the points.
@@ -35,8 +33,8 @@ class ElasticStrip {
   ExactSolid basis(int column, const Point<2>& X) const;
 
   Material material_;
-  double period_, height_;
-  std::function<double(double)> top_, top_slope_;
+  PeriodicSeries top_;
+  double height_;
   int harmonics_;
   Eigen::PartialPivLU<Eigen::MatrixXd> tractions_;  // of the coefficients at the points
   Eigen::VectorXd coefficients_;

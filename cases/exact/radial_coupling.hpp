@@ -16,11 +16,11 @@ namespace mortise {
 /// Non-dimensional. The gas is at rest and the solid without stress at t = 0, in equilibrium: p = p_e.
 struct RadialProblem {
   double gamma = 1.4, p_inf = 0;
-  double density = 1, pressure = 1 / 1.4;    // of the gas; physical pressure
-  Material material;                         // linear
-  double interface_radius = 0.5;             // a₀
-  double solid_end = 1;                      // the solid's other radius; 0: a full disk
-  double gas_end = 0;                        // the gas's other radius; 0: a full disk
+  double density = 1, pressure = 1 / 1.4;  // of the gas; physical pressure
+  Material material;                       // linear
+  double interface_radius = 0.5;           // a₀
+  double solid_end = 1;                    // the solid's other radius; 0: a full disk
+  double gas_end = 0;  // the gas's other radius: inside, of a wall (0: a full disk); outside, of what is known
   std::function<double(double)> far_stress;  // σ_rr(t) at solid_end; empty: held
   double angular_velocity = 0;               // of the solid at t = 0
   LoadLaw load = LoadLaw::current_area;

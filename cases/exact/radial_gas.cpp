@@ -31,16 +31,16 @@ RadialGas::RadialGas(double gamma, const Primitive<1>& rest, double near, double
       slope_(state_.size()),
       half_(state_.size()) {}
 
-/// The ghost cell beyond `far`: mirror image at the axis, gas at rest elsewhere.
-Primitive<1> RadialGas::behind_the_end() const {
-  if (far_ != 0) return rest_;
-  return {state_.back().density, {-state_.back().velocity[0]}, state_.back().pressure};
+/// What lies beyond `far` for the state `last` on this side of it: its mirror image, or gas at rest.
+Primitive<1> RadialGas::behind_the_end(const Primitive<1>& last) const {
+  if (far_ > near_) return rest_;
+  return {last.density, {-last.velocity[0]}, last.pressure};
 }
 
 void RadialGas::predict(double dt, double speed) {
   const std::size_t n = state_.size();
   for (std::size_t i = 1; i < n; ++i) {
-    const Primitive<1> after = i + 1 < n ? state_[i + 1] : behind_the_end();
+    const Primitive<1> after = i + 1 < n ? state_[i + 1] : behind_the_end(state_[i]);
     slope_[i] = combine(0.5, after, -0.5, state_[i - 1]);
   }
   slope_[0] = combine(1, combine(-1.5, state_[0], 2, state_[1]), -0.5, state_[2]);
@@ -72,7 +72,7 @@ void RadialGas::advance(double dt, double near, double pressure) {
     if (i == 0) return {0, {sign * area * pressure}, sign * area * pressure * speed};
     const double w = (1 - static_cast<double>(i) / static_cast<double>(n)) * speed;
     const Primitive<1> before = combine(1, half_[i - 1], 0.5, slope_[i - 1]);
-    const Primitive<1> after = i < n ? combine(1, half_[i], -0.5, slope_[i]) : rest_;
+    const Primitive<1> after = i < n ? combine(1, half_[i], -0.5, slope_[i]) : behind_the_end(before);
     const Primitive<1> W =
         sign > 0 ? acoustic_state(before, after, w, gamma_) : acoustic_state(after, before, w, gamma_);
     const Conserved<1> U = to_conserved(W, gamma_);

@@ -13,8 +13,8 @@ namespace mortise {
 
 class RadialGas {
  public:
-  /// Gas at rest between the fixed radius `far` and the moving one `near`, either way round. far = 0 is the axis;
-  /// another far end must stay undisturbed.
+  /// Gas at rest between the fixed radius `far` and the moving one `near`. far < near: a wall or, for far = 0, the
+  /// axis; far > near: gas at rest beyond, which must stay undisturbed.
   RadialGas(double gamma, const Primitive<1>& rest, double near, double far, int cells);
 
   /// Slopes at t and cell states at t + dt, with the moving end at radial speed `speed`.
@@ -30,7 +30,7 @@ class RadialGas {
 
  private:
   double spacing() const { return (far_ - near_) / static_cast<double>(state_.size()); }  // signed
-  Primitive<1> behind_the_end() const;
+  Primitive<1> behind_the_end(const Primitive<1>& last) const;
 
   double gamma_;
   Primitive<1> rest_;

@@ -170,8 +170,8 @@ std::optional<ExactInterface> RadialReference::interface_at(const Point<2>& X, d
 }
 
 double RadialReference::valid_until() const {
-  if (problem_.gas_end == 0) return problem_.time_end;
-  return std::min(problem_.time_end, std::abs(problem_.gas_end - problem_.interface_radius) / sound_speed(problem_));
+  if (side_ < 0) return problem_.time_end;
+  return std::min(problem_.time_end, (problem_.gas_end - problem_.interface_radius) / sound_speed(problem_));
 }
 
 }  // namespace mortise

@@ -16,13 +16,13 @@ class RadialReference : public ExactSolution<2> {
  public:
   /// cells: of the coarser grid across the solid. snapshots: kept intervals; their times are k time_end/snapshots.
   /// Throws InputError if gas and solid do not lie on either side of the interface.
-  explicit RadialReference(const RadialProblem& problem, int cells = 400, int snapshots = 32);
+  explicit RadialReference(const RadialProblem& problem, int cells = 600, int snapshots = 32);
 
   Primitive<2> state(const Point<2>& x, double t) const override;
   bool describes_solid() const override { return true; }
   ExactSolid solid(const Point<2>& X, double t) const override;
   std::optional<ExactInterface> interface_at(const Point<2>& X, double t) const override;
-  /// time_end, or when the first disturbance reaches the end of the gas (unless that is the axis).
+  /// time_end, or when the first disturbance reaches the outer end of the gas.
   double valid_until() const override;
 
   RadialInterface interface_now(double t) const;

@@ -24,8 +24,8 @@ inline const std::vector<std::string> pictures = {"schlieren", "pressure", "velo
 inline const std::vector<std::string> fluid_exact_solutions = {
     "none", "riemann", "vortex", "uniform", "rigid_piston", "shock_on_massless_body", "weak_shock_on_free_cylinder"};
 inline const std::vector<std::string> solid_exact_solutions = {
-    "elastic_piston",   "elastic_piston_shock", "superseismic_shock", "deforming_diffuser",
-    "radial_reference", "plane_waves",          "annulus_modes",      "rayleigh_wave"};
+    "elastic_piston",   "elastic_bar", "elastic_piston_shock", "superseismic_shock", "deforming_diffuser",
+    "radial_reference", "plane_waves", "annulus_modes",        "rayleigh_wave"};
 inline const std::vector<std::string> exact_solutions = [] {
   std::vector<std::string> all = fluid_exact_solutions;
   all.insert(all.end(), solid_exact_solutions.begin(), solid_exact_solutions.end());

@@ -36,7 +36,7 @@ RadialProblem rotating_disk(double s) {
 }
 
 TEST(RadialReference, ShellReachesThePublishedState) {
-  const RadialReference solution(shell(LoadLaw::reference_area), 200, 8);
+  const RadialReference solution(shell(LoadLaw::reference_area), 100, 8);
   const RadialInterface face = solution.interface_now(1);
   EXPECT_NEAR(face.position[0], 0.48975854, 1e-8);
   EXPECT_NEAR(face.velocity[0], 0.00902158, 1e-8);
@@ -45,12 +45,12 @@ TEST(RadialReference, ShellReachesThePublishedState) {
 }
 
 TEST(RadialReference, LoadLawsDiffer) {
-  const RadialReference solution(shell(LoadLaw::current_area), 200, 8);
+  const RadialReference solution(shell(LoadLaw::current_area), 100, 8);
   EXPECT_NEAR(solution.interface_now(1).position[0], 0.489708595, 2e-9);
 }
 
 TEST(RadialReference, ExtrapolationConvergesFast) {
-  const RadialReference coarse(shell(LoadLaw::current_area), 50, 4), fine(shell(LoadLaw::current_area), 200, 4);
+  const RadialReference coarse(shell(LoadLaw::current_area), 50, 4), fine(shell(LoadLaw::current_area), 100, 4);
   for (const double r : {0.01, 0.2, 0.45}) {
     const Primitive<2> a = coarse.state({0, r}, 1), b = fine.state({0, r}, 1);
     EXPECT_NEAR(a.density, b.density, 5e-6) << r;
@@ -63,7 +63,7 @@ TEST(RadialReference, ExtrapolationConvergesFast) {
 
 TEST(RadialReference, SatisfiesBothSystemsOfEquations) {
   const RadialProblem problem = shell(LoadLaw::current_area);
-  const RadialReference solution(problem, 200, 200);
+  const RadialReference solution(problem, 100, 200);
   const double t = 0.805, h = 0.005;
   for (const Point<2>& X : {Point<2>(0.55, 0.1), Point<2>(-0.4, 0.6), Point<2>(0, -0.9)})
     EXPECT_LT(elastic_defect(solution, problem.material, X, t, h), 2e-3);
@@ -76,7 +76,7 @@ TEST(RadialReference, SatisfiesBothSystemsOfEquations) {
 
 TEST(RadialReference, GasAndSolidMeetAtTheInterface) {
   for (const RadialProblem& problem : {shell(LoadLaw::current_area), rotating_disk(0.1)}) {
-    const RadialReference solution(problem, 100, 8);
+    const RadialReference solution(problem, 60, 8);
     const double t = problem.time_end, a = problem.interface_radius, side = problem.gas_end > a ? 1 : -1;
     const Point<2> N = side * direction(0.7), X = a * direction(0.7);
     const ExactInterface face = *solution.interface_at(X, t);
@@ -93,7 +93,18 @@ TEST(RadialReference, GasAndSolidMeetAtTheInterface) {
   }
 }
 
-TEST(RadialReference, StiffDiskInVacuumFliesStraight) {
+TEST(RadialReference, WallInsideTheGasReflects) {
+  RadialProblem problem = shell(LoadLaw::current_area);
+  problem.gas_end = 0.25;
+  problem.time_end = 1.5;
+  const RadialReference coarse(problem, 50, 4), fine(problem, 100, 4);
+  EXPECT_EQ(fine.valid_until(), 1.5);
+  EXPECT_NEAR(fine.state({0.25, 0}, 1.5).velocity[0], 0, 1e-5);
+  EXPECT_GT(std::abs(fine.state({0.25, 0}, 1.5).pressure - problem.pressure), 1e-3);
+  EXPECT_NEAR(coarse.interface_now(1.5).pressure, fine.interface_now(1.5).pressure, 5e-6);
+}
+
+TEST(RadialReference, DiskInThinGasFliesStraight) {
   RadialProblem problem = rotating_disk(1);
   problem.density = problem.pressure = 1e-9;
   const RadialReference solution(problem, 50, 2);
@@ -109,7 +120,7 @@ TEST(RadialReference, StiffDiskInVacuumFliesStraight) {
 
 TEST(RadialReference, RotatingDiskPushesTheGas) {
   for (const double s : {1.0, 0.1}) {
-    const RadialReference solution(rotating_disk(s), 200, 8);
+    const RadialReference solution(rotating_disk(s), 100, 4);
     EXPECT_NEAR(solution.interface_now(0.5).position.norm(), s == 1 ? 1.000708026 : 1.000144591, 2e-9) << s;
     const Primitive<2> far = solution.state({0, -3}, 0.5);
     EXPECT_EQ(far.density, 1.4 / s);
