@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -138,7 +139,8 @@ class BodyAtlas {
   void fill_distances(const Outline& outline);
   void fill_nearest_cells();
   void rasterize();
-  void rasterize_cell(int i, int j);
+  void rasterize_cell(int i, int j, const std::array<Point<2>, 4>& quad);
+  std::vector<Point<2>> table_row(int j) const;
   void fill_interior(double from, double to);
   double distance_bound(const Point<2>& X) const;
   int nearest_cell(const Point<2>& X) const;  // −1: none near

@@ -31,22 +31,27 @@ constexpr double deepest = 0.8;        // part of a thin body's half width that 
 std::size_t before(std::size_t i, std::size_t n) { return i == 0 ? n - 1 : i - 1; }
 std::size_t after(std::size_t i, std::size_t n) { return i + 1 == n ? 0 : i + 1; }
 
-/// The frame of a closed curve at each of its points.
-struct CurveFrame {
-  Curve tangent;             // unit, of the circle through the point and its neighbours
-  std::vector<double> turn;  // radians, positive where the curve is concave (turns left)
-};
-
-CurveFrame frame_of(const Curve& x) {
+/// Unit tangents at the points of a closed curve, of the circles through them and their neighbours.
+Curve tangents_of(const Curve& x) {
   const std::size_t n = x.size();
-  CurveFrame frame{Curve(n), std::vector<double>(n)};
+  Curve tangent(n);
   for (std::size_t i = 0; i < n; ++i) {
     const Point<2> in = x[i] - x[before(i, n)], out = x[after(i, n)] - x[i];
     const double a = in.norm(), b = out.norm();
-    frame.tangent[i] = (b / a * in + a / b * out).normalized();
-    frame.turn[i] = std::atan2(cross(in, out), in.dot(out));
+    tangent[i] = (b / a * in + a / b * out).normalized();
   }
-  return frame;
+  return tangent;
+}
+
+/// Radians by which the curve turns left at its points: positive where it is concave.
+std::vector<double> turns_of(const Curve& x) {
+  const std::size_t n = x.size();
+  std::vector<double> turn(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point<2> in = x[i] - x[before(i, n)], out = x[after(i, n)] - x[i];
+    turn[i] = std::atan2(cross(in, out), in.dot(out));
+  }
+  return turn;
 }
 
 Point<2> leftward(const Point<2>& tangent) { return {-tangent.y(), tangent.x()}; }
@@ -64,10 +69,10 @@ std::vector<Value> diffused(const std::vector<double>& epsilon, std::vector<Valu
 }
 
 /// ε of a curve: the turn to the left, spread over the neighbourhood; empty where the curve is convex throughout.
-std::vector<double> sensed_concavity(const CurveFrame& frame, double smoothing) {
-  const std::size_t n = frame.turn.size();
-  std::vector<double> sensor(n);
-  for (std::size_t i = 0; i < n; ++i) sensor[i] = smoothing * std::max(0.0, frame.turn[i] - 1e-6);
+std::vector<double> sensed_concavity(const Curve& x, double smoothing) {
+  const std::size_t n = x.size();
+  std::vector<double> sensor = turns_of(x);
+  for (double& turn : sensor) turn = smoothing * std::max(0.0, turn - 1e-6);
   if (std::all_of(sensor.begin(), sensor.end(), [](double s) { return s == 0; })) return {};
   return diffused(std::vector<double>(n, concavity_reach), std::move(sensor));
 }
@@ -75,16 +80,16 @@ std::vector<double> sensed_concavity(const CurveFrame& frame, double smoothing) 
 /// One step to the left along the normals, both smoothed where ε > 0.
 Curve stepped(const Curve& x, double spacing, double smoothing) {
   const std::size_t n = x.size();
-  const CurveFrame frame = frame_of(x);
+  const Curve tangent = tangents_of(x);
   Curve normal(n), next(n);
-  for (std::size_t i = 0; i < n; ++i) normal[i] = leftward(frame.tangent[i]);
-  const std::vector<double> epsilon = sensed_concavity(frame, smoothing);
+  for (std::size_t i = 0; i < n; ++i) normal[i] = leftward(tangent[i]);
+  const std::vector<double> epsilon = sensed_concavity(x, smoothing);
   if (!epsilon.empty()) normal = diffused(epsilon, std::move(normal));
   for (std::size_t i = 0; i < n; ++i) next[i] = x[i] + spacing * normal[i].normalized();
   if (epsilon.empty()) return next;
   const Curve smoothed = diffused(epsilon, next);
   for (std::size_t i = 0; i < n; ++i) {
-    const Point<2> shift = smoothed[i] - next[i], unsmoothed = leftward(frame.tangent[i]);
+    const Point<2> shift = smoothed[i] - next[i], unsmoothed = leftward(tangent[i]);
     next[i] += shift - std::min(0.0, shift.dot(unsmoothed)) * unsmoothed;
   }
   return next;
@@ -93,8 +98,9 @@ Curve stepped(const Curve& x, double spacing, double smoothing) {
 /// Slides points along the curve so that neighbouring spacings become more nearly equal.
 Curve redistributed(const Curve& x, double alpha) {
   const std::size_t n = x.size();
-  const Curve tangent = frame_of(x).tangent;
+  const Curve tangent = tangents_of(x);
   std::vector<ArcSegment> segments;
+  segments.reserve(n);
   std::vector<double> length(n);
   for (std::size_t i = 0; i < n; ++i) {
     segments.emplace_back(x[i], tangent[i], x[after(i, n)], tangent[after(i, n)]);

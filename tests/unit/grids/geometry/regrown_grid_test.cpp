@@ -23,8 +23,9 @@ TEST(InwardGrid, CirclesGiveConcentricCircles) {
     for (int i = 0; i < grid.along; ++i) {
       const Point<2> x = grid.node(i, j);
       ASSERT_NEAR(x.norm(), grid.node(0, j).norm(), 1e-12) << i << ", " << j;
-      ASSERT_NEAR(x.norm(), 0.5 - 0.02 * j, 0.02 * 0.02 * j) << i << ", " << j;
-      ASSERT_NEAR(std::atan2(x.y(), x.x()), std::remainder(2 * std::numbers::pi * i / 156, 2 * std::numbers::pi), 1e-11);
+      ASSERT_NEAR(x.norm(), 0.5 - 0.02 * j, 0.02 * 0.02 * j + 1e-12) << i << ", " << j;
+      const double angle = 2 * std::numbers::pi * i / 156;
+      ASSERT_NEAR(x.dot(Point<2>(std::cos(angle), std::sin(angle))), x.norm(), 1e-12) << "counter-clockwise";
     }
 }
 
@@ -89,14 +90,14 @@ TEST(GrownGrid, NodesContinueInAllDirections) {
 TEST(GrownGrid, FirstFoldedCell) {
   GrownGrid grid = grow(Outline::circle(0.5), {.spacing = 0.05, .layers = 4});
   EXPECT_EQ(first_folded_cell(grid), (Index<2>{-1, -1}));
-  grid.nodes[static_cast<std::size_t>(3 * grid.along + 9)] *= 1.2;
-  EXPECT_EQ(first_folded_cell(grid), (Index<2>{8, 2}) ) << "the node is beyond the layer outside it: cells on both sides";
+  grid.nodes[static_cast<std::size_t>(3 * grid.along + 9)] *= 1.15;
+  EXPECT_EQ(first_folded_cell(grid), (Index<2>{8, 3})) << "the node is beyond the layer outside it";
   grid.nodes[5] = Point<2>::Constant(std::nan(""));
   EXPECT_EQ(first_folded_cell(grid), (Index<2>{4, 0}));
 }
 
-/// The atlas of a grid alone against that of its outline.
-void expect_same_answers(const Outline& outline, const GrowthOptions& options) {
+/// The atlas of a grid alone against that of its outline: distances differ where layers are thicker or lines slant.
+void expect_same_answers(const Outline& outline, const GrowthOptions& options, double tolerance) {
   const GrownGrid grid = grow(outline, options);
   const BodyAtlas exact(outline, grid, options.inward), fast(grid, options.inward);
   const double h = options.spacing, sign = options.inward ? -1 : 1;
@@ -104,7 +105,7 @@ void expect_same_answers(const Outline& outline, const GrowthOptions& options) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> uniform(0, 1);
   int on_grid = 0;
-  for (int k = 0; k < 20000; ++k) {
+  for (int k = 0; k < 5000; ++k) {
     const Point<2> part(uniform(random), uniform(random));
     const Point<2> X = box.low + part.cwiseProduct(box.high - box.low);
     const double distance = sign * outline.tree().nearest(X).distance;
@@ -112,7 +113,9 @@ void expect_same_answers(const Outline& outline, const GrowthOptions& options) {
       ASSERT_EQ(fast.distance(X) > 0, distance > 0) << X.transpose() << ' ' << distance;
       ASSERT_EQ(exact.distance(X) > 0, distance > 0) << X.transpose() << ' ' << distance;
     }
-    if (distance > 1.1 * fast.width()) ASSERT_GT(fast.distance(X), fast.width() * 0.9);
+    if (distance > 1.1 * fast.width()) {
+      ASSERT_GT(fast.distance(X), fast.width() * 0.9);
+    }
     StencilPoint here, there;
     const bool found = exact.locate(X, here);
     ASSERT_EQ(fast.locate(X, there), found) << X.transpose();
@@ -120,20 +123,21 @@ void expect_same_answers(const Outline& outline, const GrowthOptions& options) {
     ++on_grid;
     ASSERT_EQ(here.center, there.center);
     ASSERT_LT((here.offset - there.offset).norm(), 1e-10);
-    ASSERT_NEAR(fast.distance(X), distance, 0.3 * h + 0.15 * distance) << X.transpose();
+    ASSERT_NEAR(fast.distance(X), distance, tolerance * h) << X.transpose();
   }
-  EXPECT_GT(on_grid, 1000);
+  EXPECT_GT(on_grid, 250);
 }
 
 TEST(FastAtlas, AnswersAsTheExactOne) {
   for (const bool inward : {false, true}) {
     SCOPED_TRACE(inward);
-    expect_same_answers(Outline::circle(0.5), {.spacing = 0.02, .layers = 8, .inward = inward});
-    expect_same_answers(Outline::ellipse(0.5, 0.3), {.spacing = 0.02, .layers = 6, .inward = inward});
-    expect_same_answers(Outline::rounded_rectangle(0.3, 0.5, 0.1), {.spacing = 0.02, .layers = 5, .inward = inward});
+    expect_same_answers(Outline::circle(0.5), {.spacing = 0.02, .layers = 8, .inward = inward}, 0.15);
+    expect_same_answers(Outline::ellipse(0.5, 0.3), {.spacing = 0.02, .layers = 6, .inward = inward}, 1.5);
+    expect_same_answers(Outline::rounded_rectangle(0.3, 0.5, 0.1), {.spacing = 0.02, .layers = 5, .inward = inward}, 1.5);
   }
-  expect_same_answers(Outline::rounded_rectangle(0.1, 0.5, 0.038), {.spacing = 0.0125, .layers = 8});
-  expect_same_answers(Outline::rounded_polygon({{0, 0}, {1, 0}, {1, 0.4}, {0.4, 0.4}, {0.4, 1}, {0, 1}}, 0.08), {.spacing = 0.02, .layers = 8});
+  expect_same_answers(Outline::rounded_rectangle(0.1, 0.5, 0.038), {.spacing = 0.0125, .layers = 8}, 0.5);
+  expect_same_answers(Outline::rounded_polygon({{0, 0}, {1, 0}, {1, 0.4}, {0.4, 0.4}, {0.4, 1}, {0, 1}}, 0.08),
+                      {.spacing = 0.02, .layers = 8}, 2);
 }
 
 TEST(FastAtlas, InwardBodiesAreBoundless) {
