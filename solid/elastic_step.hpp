@@ -51,7 +51,8 @@ struct SideFlux {
 
 /// One tile for one step. Pointers are to component planes (`plane` doubles apart, see TileShape). Cells with
 /// active == 0 keep their value. Cartesian when x == nullptr; otherwise x, y are reference node positions, indexed by
-/// nodes->at(i, j), nodes = TileShape<2>({cells[0] + 1, cells[1] + 1}), ghost nodes −2 … cells + 2 included.
+/// nodes->at(i, j), nodes = TileShape<2>({cells[0] + 1, cells[1] + 1}), ghost nodes −2 … cells + 2 included. Tiles are an
+/// even number of cells wide. Ghosts and slack of the rows of `next` are overwritten with what `now` has there.
 struct ElasticTile {
   const TileShape<2>* shape = nullptr;
   const TileShape<2>* nodes = nullptr;
@@ -64,9 +65,10 @@ struct ElasticTile {
 };
 
 struct ElasticStepResult {
-  double rate = 0;         // max over active cells of Σ_d c_p(direction d)/h_d after the step; Δt = CFL/rate
+  double rate = 0;         // max over active cells of Σ_d c_p(direction d)/h_d after the step; Δt = CFL/rate; ∞ if
+                           // not admissible. Curvilinear: Σ_d c_p|S_d|/V, S_d the mean of two opposite faces
   bool admissible = true;  // finite, and J > 0 for (v, F), in all active cells after the step
-  double least_j = 1;      // smallest J of the active cells after the step (1 for linear)
+  double least_j = 1;      // smallest J of the active cells after the step (1 for linear); ∞ if none is active
 };
 
 ElasticStepResult elastic_step(const ElasticTile& tile, double dt, const ElasticOptions& options);
@@ -86,7 +88,7 @@ void elastic_traces(const ElasticTile& tile, Side side, double dt, const Elastic
 
 /// Fills the two ghost layers beyond one side of the tile so that the slope normal to it is the second-order one-sided
 /// difference of the three cells next to it: a₋₁ = 3a₀ − 3a₁ + a₂, a₋₂ = 3a₋₁ − 3a₀ + a₁. With a limiter other than
-/// none, beside jumps, plain linear extrapolation limited like the interior.
+/// none a₋₁ = a₀ − d, a₋₂ = a₋₁ − d with the same d limited by the inner differences (ghost_extrapolation.cpp).
 /// `along_low`, `along_high`: range of the cells along the side (may include ghosts, −2 … cells + 2).
 void extrapolate_ghosts(const TileShape<2>& shape, TileBlock& block, Side side, int along_low, int along_high,
                         const ElasticOptions& options);

@@ -78,6 +78,7 @@ class CurvilinearGeometry {
 
   /// Makes the metrics of a vector of cells, harmless ones where the mask is false.
   MORTISE_INLINE Metrics half_step_metrics(int i, int r, PackMask valid) const {
+    prefetch_read(x_ + (r + 3) * pitch_ + i), prefetch_read(y_ + (r + 3) * pitch_ + i);
     const Pack one = broadcast(1.0), zero{};
     const Vector<Pack> sw = node<Pack>(i, r), se = node<Pack>(i + 1, r), nw = node<Pack>(i, r + 1),
                        ne = node<Pack>(i + 1, r + 1);

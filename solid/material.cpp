@@ -10,12 +10,17 @@ namespace {
 
 using elastic::NeoHookean, elastic::SaintVenantKirchhoff, elastic::SymmetricTensor, elastic::Tensor, elastic::Vector;
 
-void require(bool good, const char* name, double value, const char* bound = "0") {
+void require(bool good, const char* name, double value, const std::string& bound = "> 0") {
   if (good && std::isfinite(value)) return;
   std::ostringstream message;
-  message << "material: " << name << " must be " << (std::isfinite(value) ? "> " : "finite and > ") << bound << ", not "
-          << value;
+  message << "material: " << name << " must be " << (std::isfinite(value) ? bound : "finite") << ", not " << value;
   throw InputError(message.str());
+}
+
+std::string above_minus(double mu) {
+  std::ostringstream bound;
+  bound << "> -mu = " << -mu;
+  return bound.str();
 }
 
 Tensor<double> tensor(const Gradient& F) { return {F(0, 0), F(0, 1), F(1, 0), F(1, 1)}; }
@@ -53,7 +58,7 @@ double Material::shear_wave_speed() const { return std::sqrt(mu / density); }
 void Material::check() const {
   require(density > 0, "density", density);
   require(mu > 0, "mu", mu);
-  require(std::isfinite(lambda) && lambda + mu > 0, "lambda", lambda, "-mu");
+  require(lambda + mu > 0, "lambda", lambda, above_minus(mu));
 }
 
 Gradient stress(const Material& m, const Gradient& F) {

@@ -82,6 +82,7 @@ class StepKernel {
     double* const velocity = k.pair(half_velocity, 2, r);
     for (int i = row_start; i < k.nx_ + 2; i += simd_width) {
       const double* const p = now + i;
+      for (std::size_t c = 0; c < System::numbers; ++c) prefetch_read(p + c * k.plane_ + 3 * pitch);
       const auto cell = [&](std::ptrdiff_t offset) { return rows::read<State>(p + offset, k.plane_); };
       State W = cell(0);
       Slopes<State> h = {half_slopes<limiter>(cell(-1), W, cell(1)),
@@ -148,7 +149,10 @@ class StepKernel {
     double* const next = k.tile_.next + k.tile_.shape->at(0, r);
     const std::size_t u = System::numbers * k.plane_;
     Findings<System> found = findings;
+    const std::ptrdiff_t ahead = 2 * k.tile_.shape->stride;
     for (int i = row_start; i < k.nx_ + 2; i += simd_width) {
+      for (std::size_t c = 0; c < System::numbers + 2; ++c) prefetch_write(next + c * k.plane_ + i + ahead);
+      prefetch_read(now + u + i + ahead), prefetch_read(now + u + k.plane_ + i + ahead);
       const auto gain = k.geometry_.template gain<System>(
           rows::read<Flux>(F + i, k.stride_), rows::read<Flux>(F + i + 1, k.stride_),
           rows::read<Flux>(G + i, k.stride_), rows::read<Flux>(above + i, k.stride_), i, r);
