@@ -56,7 +56,7 @@ DeformingInterface::DeformingInterface(InterfaceSetup setup, Structure& structur
     : setup_(std::move(setup)), structure_(structure), scheme_(&interface_schemes().at(setup_.scheme)), overlaps_(!grid.mesh), reference_(structure.interface_nodes()) {
   const GrownGrid& fluid = grid.mesh ? *grid.mesh : grid.shape.atlas->grid();
   for (int i = 0; i < fluid.row(); ++i) fluid_reference_.push_back(fluid.node(i, 0));
-  growth_ = {fluid.spacing, fluid.layers, setup_.inward};
+  growth_ = {.spacing = fluid.spacing, .layers = fluid.layers, .inward = setup_.inward, .thickness = fluid.thickness};
   smoothing_ = fluid.smoothing;
   period_ = fluid.period;
   const CurveParameters parameters = curve_parameters(reference_, structure_.periodic(), structure_.period(), fluid_reference_);
@@ -235,6 +235,7 @@ double DeformingInterface::fastest_node(const Step& step) {
 InterfaceState DeformingInterface::state() const {
   InterfaceState state{setup_.name, structure_.periodic(), reference_, velocity_, pressure_, fluid_curve(displacement_), force_, half_time_};
   add(state.nodes, displacement_, 1);
+  state.period = structure_.period();
   return state;
 }
 
