@@ -36,7 +36,8 @@ struct Nearest {
 
 }  // namespace
 
-CurveParameters curve_parameters(const std::vector<Point<2>>& structure, bool periodic, const Point<2>& period, const std::vector<Point<2>>& fluid) {
+CurveParameters curve_parameters(const std::vector<Point<2>>& structure, bool periodic, const Point<2>& period, const std::vector<Point<2>>& fluid,
+                                 bool fluid_periodic) {
   CurveParameters out;
   const std::size_t faces = periodic ? structure.size() : structure.size() - 1;
   const auto node = [&](std::size_t k) { return k < structure.size() ? structure[k] : Point<2>(structure[k - structure.size()] + period); };
@@ -66,11 +67,10 @@ CurveParameters curve_parameters(const std::vector<Point<2>>& structure, bool pe
     out.places.push_back(place_on(on.face, on.fraction, structure.size(), periodic));
     out.fluid.push_back(out.structure[on.face] + on.fraction * out.lengths[on.face]);
   }
-  if (periodic) {  // made monotone: the fluid's nodes run against the structure's
+  if (periodic)  // made monotone: the fluid's nodes run against the structure's
     for (std::size_t k = 1; k < out.fluid.size(); ++k)
-      while (out.fluid[k] > out.fluid[k - 1]) out.fluid[k] -= range;
-    out.fluid.push_back(out.fluid.front() - range);
-  }
+      while (out.fluid[k] >= out.fluid[k - 1]) out.fluid[k] -= range;
+  if (fluid_periodic) out.fluid.push_back(out.fluid.front() - range);
   return out;
 }
 

@@ -21,8 +21,10 @@ struct CurveParameters {
   double farthest = 0;                   // distance of a fluid node from the structure's polygon
 };
 
-/// Nodes of either side in the order of its faces; periodic curves: one per face, node n + faces being node n shifted by
-/// the period. The fluid's faces run the other way along the curve.
-CurveParameters curve_parameters(const std::vector<Point<2>>& structure, bool periodic, const Point<2>& period, const std::vector<Point<2>>& fluid);
+/// Nodes of either side in the order of its faces; periodic: one per face, node n + faces being node n shifted by the
+/// period. The fluid's faces run the other way along the curve. The fluid's side need not be periodic where the
+/// structure's is: it then has one period of it, with both ends.
+CurveParameters curve_parameters(const std::vector<Point<2>>& structure, bool periodic, const Point<2>& period, const std::vector<Point<2>>& fluid,
+                                 bool fluid_periodic);
 
 }  // namespace mortise

@@ -59,7 +59,8 @@ DeformingInterface::DeformingInterface(InterfaceSetup setup, Structure& structur
   growth_ = {.spacing = fluid.spacing, .layers = fluid.layers, .inward = setup_.inward, .thickness = fluid.thickness};
   smoothing_ = fluid.smoothing;
   period_ = fluid.period;
-  const CurveParameters parameters = curve_parameters(reference_, structure_.periodic(), structure_.period(), fluid_reference_);
+  fluid_periodic_ = fluid.periodic;
+  const CurveParameters parameters = curve_parameters(reference_, structure_.periodic(), structure_.period(), fluid_reference_, fluid.periodic);
   if (parameters.farthest > 0.1 * fluid.spacing)
     throw InputError("the grids of solid \"" + setup_.name + "\" and of the gas around it do not begin at the same curve: a node of the gas is " +
                      std::to_string(parameters.farthest) + " away from the solid's surface");
@@ -90,7 +91,7 @@ std::shared_ptr<const GrownGrid> DeformingInterface::follow(const std::vector<Po
   const std::vector<Point<2>> curve = fluid_curve(displacement);
   try {
     if (setup_.far.empty()) return std::make_shared<GrownGrid>(grow_from(curve, growth_, smoothing_));
-    return std::make_shared<GrownGrid>(stretch_between(curve, setup_.far, growth_.layers, growth_.spacing, structure_.periodic(), period_));
+    return std::make_shared<GrownGrid>(stretch_between(curve, setup_.far, growth_.layers, growth_.spacing, fluid_periodic_, period_));
   } catch (const NumericalError& error) {
     throw NumericalError("the gas around solid " + setup_.name + " has no grid any more: " + error.what());
   }

@@ -121,6 +121,7 @@ class DeformingInterface {
   std::vector<Stencil> stencils_;                      // per fluid node
   GrowthOptions growth_{};
   double smoothing_ = 0;
+  bool fluid_periodic_ = true;
   Point<2> period_ = Point<2>::Zero();  // of the fluid's nodes
   std::unique_ptr<Transfer> transfer_;
   std::vector<StructureTrace> traces_;

@@ -61,8 +61,9 @@ void complete_solid(const Node& root, CaseDescription& c, std::size_t k) {
 void complete_layer(CaseDescription& c) {
   if (!c.layered() || c.solids.empty() || !c.solids[0].strip()) return;
   const bool line = c.dimension == 1;
-  c.layer.along_low = line ? -2 * c.spacing() : c.domain_low[0];
-  c.layer.along_high = line ? 2 * c.spacing() : c.domain_high[0];
+  const double half_width = 20 * c.spacing();  // of a line: wide cells, whose width does not count in the time step
+  c.layer.along_low = line ? -half_width : c.domain_low[0];
+  c.layer.along_high = line ? half_width : c.domain_high[0];
   c.layer.height = c.domain_high[line ? 0 : 1];
 }
 

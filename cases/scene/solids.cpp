@@ -61,7 +61,7 @@ void make_strip(const Making& make) {
   const SolidDescription& b = make.from;
   const bool line = c.dimension == 1, gas_periodic = line || c.left == "periodic";
   const std::string west = gas_periodic ? "periodic" : c.left, east = gas_periodic ? "periodic" : c.right;
-  const int faces = even_cells(c.layer.along_high - c.layer.along_low, make.spacing);
+  const int faces = line ? 4 : even_cells(c.layer.along_high - c.layer.along_low, make.spacing);
   make.elastic.fitted =
       std::make_shared<GrownGrid>(strip_grid(b, c.layer, -b.thickness, faces, make.spacing, b.left.kind == "periodic"));
   set_south(make, {});
@@ -120,7 +120,7 @@ void make_plate(const Making& make) {
   const Pose<2> pose{make.center(), 0};
   auto fitted = std::make_shared<GrownGrid>(outline_grid(hole, pose, {make.spacing, solid_layers, false}));
   elastic.fitted = fitted;
-  elastic.atlas = std::make_shared<BodyAtlas>(*fitted);
+  elastic.atlas = std::make_shared<BodyAtlas>(hole.placed(pose), *fitted);
   elastic.overlap.clip = false;
   close_ends(make);
   set_south(make, b.inner);
@@ -136,10 +136,11 @@ std::shared_ptr<const Outline> make_immersed(const Making& make) {
   auto fitted = std::make_shared<GrownGrid>(outline_grid(*outline, pose, {make.spacing, solid_layers, true}));
   Box<2> box;
   for (const Point<2>& node : fitted->nodes) box.include(node);
-  fill_box(elastic, box.grown(core_margin * make.spacing), make.spacing);
+  const double core = fitted->thickness;  // cells of thin bodies are thinner, and their core still needs a few rows
+  fill_box(elastic, box.grown(core_margin * core), core);
   elastic.fitted = fitted;
-  elastic.atlas = std::make_shared<BodyAtlas>(*fitted, true);
-  elastic.overlap = composite_options<2>({elastic.atlas, fitted->thickness, fitted->layers}, make.spacing);
+  elastic.atlas = std::make_shared<BodyAtlas>(outline->placed(pose), *fitted, true);
+  elastic.overlap = composite_options<2>({elastic.atlas, fitted->thickness, fitted->layers}, core);
   close_ends(make);
   set_south(make, b.outer);
   if (b.wet()) grow_gas(make, *outline, pose);

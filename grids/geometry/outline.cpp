@@ -1,6 +1,7 @@
 // Measures by Green's theorem, with ω = x dy − y dx along the counter-clockwise curve:
 //   A = ½∮ω,   ∫x dA = ⅓∮ x ω,   ∫|x|² dA = ¼∮ |x|² ω,
 // by six-point Gauss quadrature on every cubic: exact.
+#include "mortise/grids/geometry/frame.hpp"
 #include "mortise/grids/geometry/outline.hpp"
 
 #include <algorithm>
@@ -120,6 +121,18 @@ void Outline::start_on_axis(Points& vertices) {
 }
 
 double Outline::mean_radius() const { return std::sqrt(area_ / std::numbers::pi); }
+
+Outline Outline::placed(const Pose<2>& pose) const {
+  const Frame<2> frame(pose);
+  Outline moved = *this;
+  Points vertices = polygon();
+  moved.bounds_ = {};
+  for (Point<2>& vertex : vertices) moved.bounds_.include(vertex = frame.to_space(vertex));
+  for (Point<2>& tangent : moved.tangents_) tangent = frame.turn(tangent);
+  moved.tree_ = StripTree(std::move(vertices));
+  moved.centroid_ = frame.to_space(centroid_);
+  return moved;
+}
 
 Outline Outline::centered() const {
   Outline moved = *this;

@@ -44,6 +44,8 @@ class Outline {
   double mean_radius() const;                              // √(area/π)
   /// The same outline with its centroid moved to the origin (what bodies use as their frame).
   Outline centered() const;
+  /// The same outline turned by the pose's angle about the origin and moved by its position.
+  Outline placed(const Pose<2>& pose) const;
   /// Point at arc length s (taken modulo the perimeter), measured counter-clockwise from the point where the
   /// horizontal through the centroid leaves the outline on the side of larger x.
   Point<2> at(double s) const;
