@@ -13,6 +13,9 @@ namespace {
 // A structure takes substeps when it would slow the fluid down by more than this factor.
 constexpr double substep_gain = 1.25;
 
+// A stride is that much shorter than its whole steps of the fluid, whose waves may become faster meanwhile.
+constexpr double stride_margin = 0.96;
+
 constexpr double never = std::numeric_limits<double>::infinity();
 
 }  // namespace
@@ -72,7 +75,7 @@ DeformingScene::Stride DeformingScene::stride(double time, double limit, double 
   }
   const double steps = fastest > 0 ? std::floor(fluid_rate / fastest) : 0;
   if (interfaces_.empty() || steps < 2) return {never, never};
-  const double size = steps * cfl / fluid_rate, left = limit - time;
+  const double size = stride_margin * steps * cfl / fluid_rate, left = limit - time;
   if (size >= left * (1 - 1e-12)) return {left, limit};
   const double chosen = 2 * size > left ? 0.5 * left : size;
   return {chosen, time + chosen};
