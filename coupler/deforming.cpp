@@ -52,8 +52,8 @@ void put(std::vector<double>& state, const std::vector<Point<2>>& points) {
 
 }  // namespace
 
-DeformingInterface::DeformingInterface(InterfaceSetup setup, Structure& structure, const FittedBody<2>& grid)
-    : setup_(std::move(setup)), structure_(structure), scheme_(&interface_schemes().at(setup_.scheme)), overlaps_(!grid.mesh), reference_(structure.interface_nodes()) {
+DeformingInterface::DeformingInterface(InterfaceSetup setup, Structure& structure, const FittedBody<2>& grid, PhaseTimers& timers)
+    : setup_(std::move(setup)), structure_(structure), timers_(timers), scheme_(&interface_schemes().at(setup_.scheme)), overlaps_(!grid.mesh), reference_(structure.interface_nodes()) {
   const GrownGrid& fluid = grid.mesh ? *grid.mesh : grid.shape.atlas->grid();
   for (int i = 0; i < fluid.row(); ++i) fluid_reference_.push_back(fluid.node(i, 0));
   growth_ = {.spacing = fluid.spacing, .layers = fluid.layers, .inward = setup_.inward, .thickness = fluid.thickness};
@@ -75,7 +75,7 @@ DeformingInterface::DeformingInterface(InterfaceSetup setup, Structure& structur
   }
   previous_displacement_ = displacement_;
   mesh_ = follow(displacement_);
-  if (overlaps_) atlas_ = std::make_shared<BodyAtlas>(*mesh_, setup_.inward);
+  tabulate();
   pressure_.assign(static_cast<std::size_t>(transfer_->fluid_faces()), setup_.options.reference_pressure);
 }
 
@@ -88,6 +88,7 @@ std::vector<Point<2>> DeformingInterface::fluid_curve(const std::vector<Point<2>
 }
 
 std::shared_ptr<const GrownGrid> DeformingInterface::follow(const std::vector<Point<2>>& displacement) const {
+  const auto scope = timers_("grids");
   const std::vector<Point<2>> curve = fluid_curve(displacement);
   try {
     if (setup_.far.empty()) return std::make_shared<GrownGrid>(grow_from(curve, growth_, smoothing_));
@@ -95,6 +96,12 @@ std::shared_ptr<const GrownGrid> DeformingInterface::follow(const std::vector<Po
   } catch (const NumericalError& error) {
     throw NumericalError("the gas around solid " + setup_.name + " has no grid any more: " + error.what());
   }
+}
+
+/// The atlas of the present grid, where others lie over it.
+void DeformingInterface::tabulate() {
+  const auto scope = timers_("grids");
+  if (overlaps_) atlas_ = std::make_shared<BodyAtlas>(*mesh_, setup_.inward);
 }
 
 BodyPath<2> DeformingInterface::present() const { return {Pose<2>{}, Pose<2>{}, mesh_, atlas_}; }
@@ -214,7 +221,7 @@ void DeformingInterface::accept(const Step& step, double time, double dt) {
   velocity_ = step.node_velocity;
   previous_mesh_ = mesh_;
   mesh_ = step.mesh;
-  if (overlaps_) atlas_ = std::make_shared<BodyAtlas>(*mesh_, setup_.inward);
+  tabulate();
   pressure_ = step.solution.pressure;
   force_ = step.force;
   last_step_ = dt;
@@ -284,7 +291,7 @@ const double* DeformingInterface::resume(const double* next) {
   if (!moved_before) return next;
   mesh_ = follow(displacement_);
   previous_mesh_ = follow(previous_displacement_);
-  if (overlaps_) atlas_ = std::make_shared<BodyAtlas>(*mesh_, setup_.inward);
+  tabulate();
   return next;
 }
 

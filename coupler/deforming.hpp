@@ -71,7 +71,7 @@ class DeformingInterface {
 
   /// `grid`: the fluid's at t = 0, before any displacement. The structure is not owned. Throws InputError when the nodes
   /// of the two sides do not lie on one curve.
-  DeformingInterface(InterfaceSetup setup, Structure& structure, const FittedBody<2>& grid);
+  DeformingInterface(InterfaceSetup setup, Structure& structure, const FittedBody<2>& grid, PhaseTimers& timers);
 
   /// Where the fluid's grid is now: for EulerSolver::initialize() and resume().
   BodyPath<2> present() const;
@@ -108,12 +108,14 @@ class DeformingInterface {
 
   std::vector<Point<2>> fluid_curve(const std::vector<Point<2>>& displacement) const;
   std::shared_ptr<const GrownGrid> follow(const std::vector<Point<2>>& displacement) const;
+  void tabulate();
   std::vector<Point<2>> predicted_areas(double from_now) const;
   InterfaceSolution ask(std::span<const FluidTrace> fluid, const WallLaw& law, double from_now, InterfaceProblem& problem);
   void take_substeps(Step& step, std::span<const WallTrace<2>> fluid, const WallLaw& law, double time, double dt, InterfaceProblem& problem);
 
   InterfaceSetup setup_;
   Structure& structure_;
+  PhaseTimers& timers_;
   const InterfaceScheme* scheme_;
   bool overlaps_;
   std::vector<Point<2>> reference_, fluid_reference_;  // nodes of the structure's faces, of the fluid's

@@ -26,7 +26,7 @@ DeformingScene::DeformingScene(const Communicator& comm, const std::vector<Solid
   const auto couple = [&](std::unique_ptr<Structure> structure, const InterfaceSetup& setup) {
     const FittedBody<2>& grid = fluid.bodies.at(setup.body);
     Member member{std::move(structure), nullptr, grid.shape.spacing};
-    member.interface = std::make_unique<DeformingInterface>(setup, *member.structure, grid);
+    member.interface = std::make_unique<DeformingInterface>(setup, *member.structure, grid, timers_);
     interfaces_.push_back(std::move(member));
   };
   for (const SolidSetup& solid : solids) {

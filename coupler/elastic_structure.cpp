@@ -1,7 +1,5 @@
 #include "mortise/coupler/elastic_structure.hpp"
 
-#include <algorithm>
-
 namespace mortise {
 
 std::vector<Point<2>> ElasticStructure::interface_nodes() const {
@@ -21,25 +19,6 @@ std::vector<StructureTrace> ElasticStructure::traces(double dt, double theta) {
 
 bool ElasticStructure::step(std::span<const Point<2>> traction, std::span<const Point<2>> velocity, double dt) {
   return solver_.step({traction.begin(), traction.end()}, {velocity.begin(), velocity.end()}, dt);
-}
-
-void ElasticStructure::remember() {
-  kept_rates_ = solver_.rates();
-  kept_fields_.assign(solver_.fields().size(), {});
-  for (std::size_t g = 0; g < kept_fields_.size(); ++g)
-    for (int t = 0; t < solver_.fields()[g].tiles(); ++t) {
-      const std::span<const double> all = solver_.fields()[g].tile(t).all();
-      kept_fields_[g].insert(kept_fields_[g].end(), all.begin(), all.end());
-    }
-}
-
-void ElasticStructure::go_back() {
-  solver_.rates() = kept_rates_;
-  for (std::size_t g = 0; g < kept_fields_.size(); ++g) {
-    const double* next = kept_fields_[g].data();
-    for (int t = 0; t < solver_.fields()[g].tiles(); ++t)
-      for (double& value : solver_.fields()[g].tile(t).all()) value = *next++;
-  }
 }
 
 }  // namespace mortise

@@ -19,14 +19,13 @@ class ElasticStructure : public Structure {
   void commit(double time) override { solver_.commit(time); }
   std::string first_bad_cell() const override { return solver_.first_bad_cell(); }
   bool can_return() const override { return true; }
-  void remember() override;
-  void go_back() override;
+  void remember() override { solver_.remember(); }
+  void go_back() override { solver_.go_back(); }
 
  private:
   const GrownGrid& grid() const { return *solver_.setup().fitted; }
 
   ElasticSolver& solver_;
-  std::vector<std::vector<double>> kept_fields_, kept_rates_;  // per grid: all tiles
 };
 
 }  // namespace mortise

@@ -1,11 +1,44 @@
 // Nodes of the body grids: known in the body's frame, where only deforming grids change them, and placed in space for
 // each step.
+#include <algorithm>
 #include <cmath>
 
 #include "mortise/fluid/euler_solver.hpp"
 #include "mortise/grids/core/error.hpp"
 
 namespace mortise {
+namespace {
+
+/// Nodes (i0 − 2 … i0 + count + 1, j) of a grid, the first to x[−2] and y[−2].
+void read_row(const GrownGrid& mesh, int i0, int j, int count, double* x, double* y) {
+  constexpr int ghosts = TileShape<2>::ghosts;
+  const auto put = [x, y](int i, const Point<2>& X) { x[i] = X[0], y[i] = X[1]; };
+  const bool stored = j >= 0 && j <= mesh.layers;
+  const int begin = stored ? std::max(-ghosts, -i0) : count + ghosts, end = std::min(count + ghosts, mesh.row() - i0);
+  for (int i = -ghosts; i < begin; ++i) put(i, mesh.node(i0 + i, j));
+  for (int i = begin; i < end; ++i) put(i, mesh.nodes[static_cast<std::size_t>(j * mesh.row() + i0 + i)]);
+  for (int i = std::max(begin, end); i < count + ghosts; ++i) put(i, mesh.node(i0 + i, j));
+}
+
+/// x = position + R(angle) X for a plane of nodes; x may be X.
+void to_space(const Pose<2>& pose, const std::array<std::vector<double>, 2>& from, std::array<std::vector<double>, 2>& to) {
+  const double cosine = std::cos(pose.angle), sine = std::sin(pose.angle);
+  const double x0 = pose.position[0], y0 = pose.position[1];
+  const double *X = from[0].data(), *Y = from[1].data();
+  double *x = to[0].data(), *y = to[1].data();
+  for (std::size_t k = 0; k < from[0].size(); ++k) {
+    const double along = X[k], up = Y[k];
+    x[k] = x0 + (cosine * along - sine * up);
+    y[k] = y0 + (sine * along + cosine * up);
+  }
+}
+
+void to_space(const Pose<1>& pose, const std::array<std::vector<double>, 1>& from, std::array<std::vector<double>, 1>& to) {
+  for (std::size_t k = 0; k < from[0].size(); ++k) to[0][k] = pose.position[0] + from[0][k];
+}
+
+}  // namespace
+
 template <int Dim>
 void EulerSolver<Dim>::build_reference_nodes() {
   if constexpr (Dim == 2)
@@ -44,39 +77,20 @@ void EulerSolver<Dim>::read_nodes(const GrownGrid& mesh, int g, int t, std::arra
     const auto [i0, j0] = grid.first_cell(t);
     MORTISE_ASSERT(mesh.along == grid.cells[0] && mesh.layers >= grid.cells[1], "a grid of " + grid.name + " with other cells");
     for (std::vector<double>& plane : nodes) plane.resize(shape.plane);
-    for (int j = -shape.ghosts; j < shape.cells[1] + shape.ghosts; ++j)
-      for (int i = -shape.ghosts; i < shape.cells[0] + shape.ghosts; ++i) {
-        const Point<2> X = mesh.node(i0 + i, j0 + j);
-        nodes[0][shape.at(i, j)] = X[0];
-        nodes[1][shape.at(i, j)] = X[1];
-      }
+    for (int j = -shape.ghosts; j < shape.cells[1] + shape.ghosts; ++j) {
+      const std::size_t first = shape.at(0, j);
+      read_row(mesh, i0, j0 + j, shape.cells[0], nodes[0].data() + first, nodes[1].data() + first);
+    }
   }
 }
-
-namespace {
-
-/// x = position + R(angle) X for a plane of nodes; x may be X.
-void to_space(const Pose<2>& pose, const std::array<std::vector<double>, 2>& from, std::array<std::vector<double>, 2>& to) {
-  const double cosine = std::cos(pose.angle), sine = std::sin(pose.angle);
-  const double x0 = pose.position[0], y0 = pose.position[1];
-  const double *X = from[0].data(), *Y = from[1].data();
-  double *x = to[0].data(), *y = to[1].data();
-  for (std::size_t k = 0; k < from[0].size(); ++k) {
-    const double along = X[k], up = Y[k];
-    x[k] = x0 + (cosine * along - sine * up);
-    y[k] = y0 + (sine * along + cosine * up);
-  }
-}
-
-void to_space(const Pose<1>& pose, const std::array<std::vector<double>, 1>& from, std::array<std::vector<double>, 1>& to) {
-  for (std::size_t k = 0; k < from[0].size(); ++k) to[0][k] = pose.position[0] + from[0][k];
-}
-
-}  // namespace
 
 template <int Dim>
 void EulerSolver<Dim>::place_nodes(int grid, int tile, const Pose<Dim>& pose, std::array<std::vector<double>, Dim>& nodes) const {
   const auto& reference = reference_[static_cast<std::size_t>(grid)][static_cast<std::size_t>(tile)];
+  if (pose == Pose<Dim>{}) {
+    nodes = reference;
+    return;
+  }
   for (auto& plane : nodes) plane.resize(reference[0].size());
   to_space(pose, reference, nodes);
 }
@@ -87,7 +101,7 @@ void EulerSolver<Dim>::place(int grid, int tile, const BodyPath<Dim>& path, doub
   place_nodes(grid, tile, path.start, positions_);
   if (path.end_mesh) {
     read_nodes(*path.end_mesh, grid, tile, velocities_);
-    to_space(path.end, velocities_, velocities_);
+    if (!(path.end == Pose<Dim>{})) to_space(path.end, velocities_, velocities_);
   } else {
     place_nodes(grid, tile, path.end, velocities_);
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "mortise/grids/core/error.hpp"
 
@@ -150,13 +151,42 @@ void ElasticSolver::resume(double time) {
 
 void ElasticSolver::commit(double time) {
   for_each_tile([&](int g, int t) {
-    if (computed_[static_cast<std::size_t>(g)][static_cast<std::size_t>(t)])
-      std::swap(field(g).tile(t), next_[static_cast<std::size_t>(g)].tile(t));
+    const auto grid = static_cast<std::size_t>(g), tile = static_cast<std::size_t>(t);
+    if (!computed_[grid][tile]) return;
+    if (!memory_.holds.empty() && !std::exchange(memory_.holds[grid][tile], std::uint8_t{1}))
+      std::swap(field(g).tile(t), memory_.fields[grid].tile(t));
+    std::swap(field(g).tile(t), next_[grid].tile(t));
   });
   rates_ = new_rates_;
   least_j_ = new_least_j_;
   if (overlap_) interpolate();
   fill_ghosts(time);
+}
+
+/// Copies nothing: the first step to advance a tile leaves the cells it had in memory_.
+void ElasticSolver::remember() {
+  if (memory_.fields.empty())
+    for (Field<2>& next : next_) {
+      Field<2>& field = memory_.fields.emplace_back(next.shape(), components(), next.tiles());
+      for (int t = 0; t < field.tiles(); ++t) std::ranges::copy(next.tile(t).all(), field.tile(t).all().begin());
+    }
+  memory_.holds.clear();
+  for (const Field<2>& field : now_) memory_.holds.emplace_back(static_cast<std::size_t>(field.tiles()), std::uint8_t{0});
+  memory_.rates = rates_;
+  memory_.least_j = least_j_;
+  memory_.time = time_;
+}
+
+/// Fringe cells and ghosts follow from the cells that are advanced.
+void ElasticSolver::go_back() {
+  for_each_tile([&](int g, int t) {
+    const auto grid = static_cast<std::size_t>(g), tile = static_cast<std::size_t>(t);
+    if (std::exchange(memory_.holds[grid][tile], std::uint8_t{0})) std::swap(field(g).tile(t), memory_.fields[grid].tile(t));
+  });
+  rates_ = memory_.rates;
+  least_j_ = memory_.least_j;
+  if (overlap_) interpolate();
+  fill_ghosts(memory_.time);
 }
 
 /// Fringe cells from their donors; deviations from rest are interpolated, so that a solid at rest stays so to the bit.
@@ -217,6 +247,8 @@ std::size_t ElasticSolver::memory_bytes() const {
   for_each_tile([&](int g, int t) {
     bytes += now_[static_cast<std::size_t>(g)].tile(t).bytes() + next_[static_cast<std::size_t>(g)].tile(t).bytes();
   });
+  for (const Field<2>& field : memory_.fields)
+    for (int t = 0; t < field.tiles(); ++t) bytes += field.tile(t).bytes();
   return bytes;
 }
 

@@ -66,6 +66,9 @@ class ElasticSolver {
   bool step(const std::vector<Point<2>>& traction, const std::vector<Point<2>>& velocity, double dt);
   /// Accepts the last step; `time` after it. Interpolates, fills ghosts.
   void commit(double time);
+  /// Remembers the present state, and goes back to it, whatever has been committed since.
+  void remember();
+  void go_back();
   /// Grid, index, reference position and state of the first inadmissible cell of the rejected step. Collective.
   std::string first_bad_cell() const;
 
@@ -145,6 +148,12 @@ class ElasticSolver {
   PerTile rates_, new_rates_;
   PerTile least_j_, new_least_j_;
   std::vector<std::vector<std::uint8_t>> computed_;  // per grid, tile: in the last step
+  struct Memory {
+    std::vector<Field<2>> fields;                  // per grid; of the tiles advanced since
+    std::vector<std::vector<std::uint8_t>> holds;  // per grid, tile: it is one of them
+    PerTile rates, least_j;
+    double time = 0;
+  } memory_;
   ElasticStepCount count_;
 };
 

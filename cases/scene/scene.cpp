@@ -69,10 +69,7 @@ void set_boundaries(const CaseDescription& description, const Scene<Dim>& scene,
 template <int Dim>
 double set_grid(const CaseDescription& description, EulerSetup<Dim>& fluid) {
   double spacing = description.spacing();
-  if (!description.has_gas || description.layered()) {
-    fluid.tile.fill(2);
-    return spacing;
-  }
+  if (!description.has_gas || description.layered()) return spacing;
   static constexpr int preferred[] = {64, 32};
   for (std::size_t d = 0; d < Dim; ++d) {
     const int k = static_cast<int>(d);

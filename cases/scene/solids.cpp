@@ -72,11 +72,12 @@ void make_strip(const Making& make) {
            line ? c.right : c.top);
 }
 
-/// Cells of a Cartesian grid of size about `spacing` that fill a box.
+/// Cells of a Cartesian grid of size about `spacing` that fill a box; tiles of long rows, which the kernels like.
 void fill_box(ElasticSetup& elastic, const Box<2>& box, double spacing) {
+  static constexpr int preferred[] = {64, 32};
   elastic.domain = box;
   for (int d = 0; d < 2; ++d) {
-    const Tiling tiling = choose_tiling(static_cast<int>(std::lround((box.high[d] - box.low[d]) / spacing)), 32);
+    const Tiling tiling = choose_tiling(static_cast<int>(std::lround((box.high[d] - box.low[d]) / spacing)), preferred[d]);
     elastic.cells[static_cast<std::size_t>(d)] = tiling.cells;
     elastic.tile[static_cast<std::size_t>(d)] = tiling.tile;
   }

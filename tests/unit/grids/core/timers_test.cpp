@@ -19,5 +19,21 @@ TEST(PhaseTimers, AddUpScopesByPhase) {
   EXPECT_LT(timers.seconds().at("overlap"), timers.seconds().at("fluid"));
 }
 
+TEST(PhaseTimers, ChargeTheInnermostPhaseOnly) {
+  PhaseTimers timers;
+  {
+    const auto outer = timers("coupling");
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    {
+      const auto inner = timers("solid");
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  EXPECT_GE(timers.seconds().at("solid"), 0.020);
+  EXPECT_GE(timers.seconds().at("coupling"), 0.002);
+  EXPECT_LT(timers.seconds().at("coupling"), timers.seconds().at("solid"));
+}
+
 }  // namespace
 }  // namespace mortise
