@@ -193,35 +193,6 @@ TEST(ElasticSolver, CornersOfDifferentSidesStayQuietForTenThousandSteps) {
   }
 }
 
-/// A free neo-Hookean ring that turns slowly: angular momentum lost in a turn, relative.
-double angular_momentum_lost(int across) {
-  const double omega = 0.2;
-  ElasticSetup setup;
-  setup.name = "ring";
-  setup.options.material = unit_speed(StressLaw::neo_hookean);
-  setup.fitted = ring(0.5, 8 * across, across);
-  const auto spinning = [&](const Point<2>& X, double) {
-    return elastic_state(setup.options.material, omega * Point<2>(-X.y(), X.x()), Gradient::Zero(), {0, 0});
-  };
-  ElasticRun run(setup, spinning);
-  const auto angular_momentum = [&] {
-    double sum = 0;
-    run.for_each_active_cell([&](int g, int t, const Index<2>& cell, const Point<2>& X, const ElasticState& a) {
-      sum += run.solver().cell_volume(g, t, cell) * cross(X + Point<2>(a[6], a[7]), velocity_of(a));
-    });
-    return sum;
-  };
-  const double before = angular_momentum();
-  run.advance_to(0.25 * 2 * pi / omega);
-  return 4 * std::abs(1 - angular_momentum() / before);
-}
-
-TEST(ElasticSolver, ATurningRingLosesAngularMomentumAtThirdOrder) {
-  const double coarse = angular_momentum_lost(10), fine = angular_momentum_lost(20);
-  EXPECT_LT(fine, 1.5e-3);
-  expect_order(coarse, fine, 2.7);
-}
-
 TEST(ElasticSolver, TilesAtRestAreLeftOutWithoutChangingABit) {
   for (const StressLaw law : {StressLaw::linear, StressLaw::neo_hookean}) {
     const Material material = unit_speed(law);
