@@ -14,6 +14,10 @@ struct State {
   D deformation;  // SymmetricTensor σ or Tensor F
 };
 
+/// What a system without null modes keeps of them.
+struct Nothing {};
+MORTISE_INLINE Nothing operator-(Nothing, Nothing) { return {}; }
+
 /// Half slopes along the two grid directions: what takes a cell's value to its faces.
 template <class State>
 struct Slopes {

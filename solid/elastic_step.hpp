@@ -6,8 +6,11 @@
 // slopes (limited, or the plain central difference) → half step with the cell's own fluxes → Riemann problem of the
 // linearised waves at every face: with traction t = σN or PN and Z = √(ρ0 Γ) of the mean of the two sides,
 //   t* = ½(t_L + t_R) + ½ Z (v_R − v_L),   v* = ½(v_L + v_R) + ½ Z⁻¹ (t_R − t_L),
-// and for (v, F) the flux of F gets the upwinding of what no wave carries, k (c_p/2) ([F] − Γ⁻¹[P N] ⊗ N),
-// [·] = right − left half-time state: without it sawtooth null modes of F grow. Then the update; u with the half-time v.
+// and for (v, F) the flux of F gets the upwinding of what no wave carries, without which sawtooth null modes of F grow:
+//   k (c_p/2) ([F] − Γ⁻¹ (dP/dF : [F]) N ⊗ N),
+// [·] = right − left face state at t. With face states at t the jump is O(h³) in smooth flow; with those at t + ½Δt it
+// is O(hΔt), for the half step changes all of a cell alike, and since prescribed faces have no such flux F would be
+// first-order in the cells next to them. Then the update; u with the half-time v.
 // * Stencil |di| + |dj| ≤ 2 as in the fluid. Ghosts (2 layers) are filled by the caller everywhere.
 // * Where a side of the tile is a physical boundary the caller may prescribe (t*, v*) per face instead (SideFlux).
 // * Reproducible: the same cells give the same bits whatever the tile and their place in it; uniform states stay so on
@@ -51,8 +54,8 @@ struct SideFlux {
 
 /// One tile for one step. Pointers are to component planes (`plane` doubles apart, see TileShape). Cells with
 /// active == 0 keep their value. Cartesian when x == nullptr; otherwise x, y are reference node positions, indexed by
-/// nodes->at(i, j), nodes = TileShape<2>({cells[0] + 1, cells[1] + 1}), ghost nodes −2 … cells + 2 included. Tiles are an
-/// even number of cells wide. Ghosts and slack of the rows of `next` are overwritten with what `now` has there.
+/// nodes->at(i, j), nodes = TileShape<2>({cells[0] + 1, cells[1] + 1}), ghost nodes −2 … cells + 2 included. Tiles are
+/// an even number of cells wide. Ghosts and slack of the rows of `next` are overwritten with what `now` has there.
 struct ElasticTile {
   const TileShape<2>* shape = nullptr;
   const TileShape<2>* nodes = nullptr;

@@ -1,5 +1,5 @@
 // The hyperelastic laws of material.hpp as pure formulas over double or Pack. `at(F)` makes what the other formulas of
-// a law share; `mean` is that of the two sides of a face; N is a unit normal (Vector or Axis).
+// a law share; `mean` is that of the two sides of a face, F their mean; N is a unit normal (Vector or Axis).
 //   neo_hookean, with G = F⁻ᵀ:        P = μ (F − G) + λ ln J G,   k = μ + λ − λ ln J,
 //     dP = μ dF + (λ ln J − μ)/J cof(dF) + k (G : dF) G,          Γ = μ I + k g gᵀ,  g = G N
 //   saint_venant_kirchhoff:           P = F S,   dP = dF S + F dS,   dS = C : sym(Fᵀ dF)
@@ -48,8 +48,9 @@ struct NeoHookean {
     return {inverse * cofactors(F), inverse, natural_log(J)};
   }
   template <class T>
-  MORTISE_INLINE static Local<T> mean(const Local<T>& a, const Local<T>& b) {
-    return {0.5 * (a.G + b.G), 0.5 * (a.inverse_j + b.inverse_j), 0.5 * (a.log_j + b.log_j)};
+  MORTISE_INLINE static Local<T> mean(const Local<T>& a, const Local<T>& b, const Tensor<T>& F) {
+    const T inverse = 0.5 * (a.inverse_j + b.inverse_j);
+    return {inverse * cofactors(F), inverse, 0.5 * (a.log_j + b.log_j)};
   }
   template <class T>
   MORTISE_INLINE Tensor<T> stress(const Local<T>& at, const Tensor<T>& F) const {
@@ -109,7 +110,7 @@ struct SaintVenantKirchhoff {
                                             0.5 * ((F.xy * F.xy + F.yy * F.yy) - 1.0)});
   }
   template <class T>
-  MORTISE_INLINE static Local<T> mean(const Local<T>& a, const Local<T>& b) {
+  MORTISE_INLINE static Local<T> mean(const Local<T>& a, const Local<T>& b, const Tensor<T>&) {
     return 0.5 * (a + b);
   }
   template <class T>

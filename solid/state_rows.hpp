@@ -39,6 +39,7 @@ MORTISE_INLINE void read(const double* p, std::size_t plane, Linear::FluxOf<T>& 
   read(p, plane, f.traction);
   read(p + 2 * plane, plane, f.velocity);
 }
+MORTISE_INLINE void read(const double*, std::size_t, Nothing&) {}
 template <class Value>
 MORTISE_INLINE Value read(const double* p, std::size_t plane) {
   Value value;
@@ -74,5 +75,6 @@ MORTISE_INLINE void write(double* p, std::size_t plane, const Linear::FluxOf<T>&
   write(p, plane, f.traction);
   write(p + 2 * plane, plane, f.velocity);
 }
+MORTISE_INLINE void write(double*, std::size_t, Nothing) {}
 
 }  // namespace mortise::elastic::rows

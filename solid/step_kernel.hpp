@@ -27,6 +27,7 @@ class StepKernel {
         geometry_(tile, dt, work_, row_count) {
     fill_weights(work_.row(weights), nx_, nullptr);
     rows::write(work_.row(east) + row_start - 1, stride_, System::template at_rest<double>());
+    for (const int r : {0, 1}) rows::write(half_changes(r) + row_start - 1, stride_, Change<double>{});
   }
 
   ElasticStepResult run() {
@@ -54,6 +55,8 @@ class StepKernel {
  private:
   using State = typename System::template StateOf<Pack>;
   using Flux = typename System::template FluxOf<Pack>;
+  template <class T>
+  using Change = typename System::template HalfChangeOf<T>;
   // Rows of the workspace: what comes in pairs is indexed by the parity of the tile's row.
   enum Row {
     south = 0,
@@ -63,12 +66,14 @@ class StepKernel {
     x_flux = north + 2 * System::numbers,
     y_flux = x_flux + System::flux_numbers,             // a pair
     half_velocity = y_flux + 2 * System::flux_numbers,  // a pair
-    weights = half_velocity + 4,
+    half_change = half_velocity + 4,                    // a pair
+    weights = half_change + 2 * System::half_change_numbers,
     row_count
   };
   double* pair(Row first, int rows_each, int r) const { return work_.row(first + rows_each * (r & 1)); }
   double* norths(int r) const { return pair(north, System::numbers, r); }
   double* y_fluxes(int r) const { return pair(y_flux, System::flux_numbers, r); }
+  double* half_changes(int r) const { return pair(half_change, System::half_change_numbers, r); }
   /// Lanes that are cells −1 … nx.
   MORTISE_INLINE PackMask needed(int i) const { return lanes_below(nx_ + 1 - i) & ~lanes_below(-1 - i); }
 
@@ -79,7 +84,7 @@ class StepKernel {
     const std::ptrdiff_t pitch = k.tile_.shape->stride;
     double *const souths = k.work_.row(south), *const norths = k.norths(r);
     double *const wests = k.work_.row(west), *const easts = k.work_.row(east);
-    double* const velocity = k.pair(half_velocity, 2, r);
+    double *const velocity = k.pair(half_velocity, 2, r), *const changes = k.half_changes(r);
     for (int i = row_start; i < k.nx_ + 2; i += simd_width) {
       const double* const p = now + i;
       for (std::size_t c = 0; c < System::numbers; ++c) prefetch_read(p + c * k.plane_ + 3 * pitch);
@@ -96,6 +101,7 @@ class StepKernel {
       State half = k.system_.half_step(W, h, k.geometry_.half_step_metrics(i, r, valid));
       k.system_.ensure_admissible_faces(W, half, h);
       rows::write(velocity + i, k.stride_, half.velocity);
+      rows::write(changes + i, k.stride_, System::half_change(W, half));
       rows::write(wests + i, k.stride_, half - h.xi);
       rows::write(easts + i, k.stride_, half + h.xi);
       rows::write(souths + i, k.stride_, half - h.eta);
@@ -105,10 +111,12 @@ class StepKernel {
 
   static void west_fluxes(const StepKernel k, int r) {
     double *const wests = k.work_.row(west), *const easts = k.work_.row(east), *const F = k.work_.row(x_flux);
+    const double* const changes = k.half_changes(r);
     for (int i = row_start; i < k.nx_ + 2; i += simd_width) {
       const auto face = k.geometry_.west(i, r);
+      const auto change = [&](int at) { return rows::read<Change<Pack>>(changes + at, k.stride_); };
       const Flux flux = k.system_.face(rows::read<State>(easts + i - 1, k.stride_),
-                                       rows::read<State>(wests + i, k.stride_), face.normal);
+                                       rows::read<State>(wests + i, k.stride_), change(i) - change(i - 1), face.normal);
       rows::write(F + i, k.stride_, face.template through<System>(flux));
     }
   }
@@ -116,8 +124,10 @@ class StepKernel {
     double *const below = k.norths(r - 1), *const souths = k.work_.row(south), *const G = k.y_fluxes(r);
     for (int i = row_start; i < k.nx_ + 2; i += simd_width) {
       const auto face = k.geometry_.south(i, r);
-      const Flux flux = k.system_.face(rows::read<State>(below + i, k.stride_),
-                                       rows::read<State>(souths + i, k.stride_), face.normal);
+      const auto change = [&](int row) { return rows::read<Change<Pack>>(k.half_changes(row) + i, k.stride_); };
+      const Flux flux =
+          k.system_.face(rows::read<State>(below + i, k.stride_), rows::read<State>(souths + i, k.stride_),
+                         change(r) - change(r - 1), face.normal);
       rows::write(G + i, k.stride_, face.template through<System>(flux));
     }
   }

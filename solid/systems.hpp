@@ -20,7 +20,9 @@ class Linear {
   struct FluxOf {
     Vector<T> traction, velocity;
   };
-  static constexpr int numbers = 5, flux_numbers = 4;
+  template <class T>
+  using HalfChangeOf = Nothing;
+  static constexpr int numbers = 5, flux_numbers = 4, half_change_numbers = 0;
 
   explicit Linear(const ElasticOptions& o)
       : lambda_(o.material.lambda),
@@ -47,8 +49,12 @@ class Linear {
   template <class T>
   MORTISE_INLINE void ensure_admissible_faces(const StateOf<T>&, StateOf<T>&, Slopes<StateOf<T>>&) const {}
 
+  template <class T>
+  MORTISE_INLINE static Nothing half_change(const StateOf<T>&, const StateOf<T>&) {
+    return {};
+  }
   template <class T, class Normal>
-  MORTISE_INLINE FluxOf<T> face(const StateOf<T>& L, const StateOf<T>& R, const Normal& N) const {
+  MORTISE_INLINE FluxOf<T> face(const StateOf<T>& L, const StateOf<T>& R, Nothing, const Normal& N) const {
     const Vector<T> tl = traction(L, N), tr = traction(R, N), dv = R.velocity - L.velocity, dt = tr - tl;
     const Vector<T> pull = (0.5 * z_s_) * dv + along(N, (0.5 * (z_p_ - z_s_)) * dot(dv, N));
     const Vector<T> slip = (0.5 / z_s_) * dt + along(N, (0.5 / z_p_ - 0.5 / z_s_) * dot(dt, N));
@@ -121,7 +127,9 @@ class Hyperelastic {
   /// Gains of ρ0 v and F from a face.
   template <class T>
   using FluxOf = StateOf<T>;
-  static constexpr int numbers = 6, flux_numbers = 6;
+  template <class T>
+  using HalfChangeOf = Tensor<T>;
+  static constexpr int numbers = 6, flux_numbers = 6, half_change_numbers = 4;
 
   explicit Hyperelastic(const ElasticOptions& o)
       : law_{o.material.density, o.material.lambda, o.material.mu},
@@ -158,18 +166,23 @@ class Hyperelastic {
     h.eta = choose(good, h.eta, StateOf<T>{});
   }
 
+  /// What the half step did to F.
+  template <class T>
+  MORTISE_INLINE static Tensor<T> half_change(const StateOf<T>& W, const StateOf<T>& half) {
+    return half.deformation - W.deformation;
+  }
+  /// half_change: its jump.
   template <class T, class Normal>
-  MORTISE_INLINE FluxOf<T> face(const StateOf<T>& L, const StateOf<T>& R, const Normal& N) const {
-    const Tensor<T>&FL = L.deformation, &FR = R.deformation;
-    const auto left = law_.at(FL), right = law_.at(FR);
+  MORTISE_INLINE FluxOf<T> face(const StateOf<T>& L, const StateOf<T>& R, const Tensor<T>& half_change,
+                                const Normal& N) const {
+    const Tensor<T>&FL = L.deformation, &FR = R.deformation, F = 0.5 * (FL + FR), jump = (FR - FL) - half_change;
+    const auto left = law_.at(FL), right = law_.at(FR), mean = Law::mean(left, right, F);
     const Vector<T> tl = times(law_.stress(left, FL), N), tr = times(law_.stress(right, FR), N);
-    const auto Z = law_.impedance(Law::mean(left, right), 0.5 * (FL + FR), N);
-    const Vector<T> slip = Z.solve(tr - tl);
-    const Vector<T> velocity = 0.5 * ((L.velocity + R.velocity) + slip);
-    const Vector<T> carried = law_.density * Z.solve(slip);  // Γ⁻¹ [P N]
-    const Tensor<T> null_mode = (FR - FL) - outer(carried, N);
+    const auto Z = law_.impedance(mean, F, N);
+    const Vector<T> velocity = 0.5 * ((L.velocity + R.velocity) + Z.solve(tr - tl));
+    const Vector<T> carried = law_.density * Z.solve(Z.solve(law_.traction_change(mean, F, jump, N)));
     return {0.5 * ((tl + tr) + Z.apply(R.velocity - L.velocity)),
-            outer(velocity, N) + (upwinding_ * Z.speed) * null_mode};
+            outer(velocity, N) + (upwinding_ * Z.speed) * (jump - outer(carried, N))};
   }
   template <class T, class Normal>
   MORTISE_INLINE FluxOf<T> prescribed(const Vector<T>& traction, const Vector<T>& velocity, const Normal& N) const {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "mortise/solid/elastic_solver.hpp"
+#include "mortise/solid/elastic_measures.hpp"
 
 namespace mortise::testing {
 
@@ -25,8 +25,7 @@ inline ElasticState elastic_state(const Material& material, const Point<2>& v, c
   return {v[0], v[1], s(0, 0), s(0, 1), s(1, 1), u[0], u[1]};
 }
 
-/// Velocity and traction on the normal N.
-inline Point<2> velocity_of(const ElasticState& a) { return {a[0], a[1]}; }
+/// Traction on the normal N.
 inline Point<2> traction_of(const Material& material, const ElasticState& a, const Point<2>& N) {
   Gradient stress_or_gradient;
   if (material.law == StressLaw::linear)
@@ -121,6 +120,7 @@ class ElasticRun {
     solver_.initialize(initial, 0);
   }
   ElasticSolver& solver() { return solver_; }
+  const ElasticSolver& solver() const { return solver_; }
   double time() const { return time_; }
 
   void step(double dt) {

@@ -20,7 +20,7 @@ TEST(ElasticSolverWaves, SecondOrderOnAPeriodicSquare) {
     expect_order(error_on_a_square(wave, 32, ElasticBoundary::periodic),
                  error_on_a_square(wave, 64, ElasticBoundary::periodic), 1.9);
   }
-  const PlaneWave finite{unit_speed(StressLaw::neo_hookean), 2 * pi * Point<2>(1, 1), true, 0.03};
+  const PlaneWave finite{unit_speed(StressLaw::neo_hookean), 2 * pi * Point<2>(1, 0), true, 0.05};
   expect_order(error_on_a_square(finite, 32, ElasticBoundary::periodic),
                error_on_a_square(finite, 64, ElasticBoundary::periodic), 1.9);
   for (const StressLaw law : {StressLaw::saint_venant_kirchhoff, StressLaw::neo_hookean}) {
@@ -36,7 +36,7 @@ TEST(ElasticSolverWaves, SecondOrderThroughExactSides) {
     expect_order(error_on_a_square(wave, 32, ElasticBoundary::exact),
                  error_on_a_square(wave, 64, ElasticBoundary::exact), 1.9);
   }
-  const PlaneWave finite{unit_speed(StressLaw::neo_hookean), Point<2>(5, 3), true, 0.03};
+  const PlaneWave finite{unit_speed(StressLaw::neo_hookean), Point<2>(2.5, 1.5), true, 0.1};
   expect_order(error_on_a_square(finite, 32, ElasticBoundary::exact),
                error_on_a_square(finite, 64, ElasticBoundary::exact), 1.9);
 }
@@ -64,19 +64,15 @@ Errors errors_on_a_curved_patch(const PlaneWave& wave, int n) {
   return {run.largest_error(wave), run.mean_error(wave)};
 }
 
-/// Corners between two prescribed sides cost half an order in the max norm. Of a hyperelastic solid, F is first-order
-/// in the cells next to prescribed sides: the upwinding of its null modes ends there.
+/// Corners between two prescribed sides cost up to half an order in the max norm.
 TEST(ElasticSolverWaves, SecondOrderOnACurvedPatchWithPrescribedVelocitiesAndTractions) {
-  for (const bool shear : {false, true}) {
-    const PlaneWave wave{unit_speed(StressLaw::linear), Point<2>(5, 3), shear};
+  for (const PlaneWave& wave : {PlaneWave{unit_speed(StressLaw::linear), Point<2>(5, 3), false},
+                                PlaneWave{unit_speed(StressLaw::linear), Point<2>(5, 3), true},
+                                PlaneWave{unit_speed(StressLaw::neo_hookean), Point<2>(5, 3), true, 0.03}}) {
     const Errors coarse = errors_on_a_curved_patch(wave, 32), fine = errors_on_a_curved_patch(wave, 64);
     expect_order(coarse.mean, fine.mean, 1.9);
     expect_order(coarse.largest, fine.largest, 1.5);
   }
-  const PlaneWave finite{unit_speed(StressLaw::neo_hookean), Point<2>(5, 3), true, 0.03};
-  const Errors coarse = errors_on_a_curved_patch(finite, 32), fine = errors_on_a_curved_patch(finite, 64);
-  expect_order(coarse.mean, fine.mean, 1.9);
-  EXPECT_LT(fine.largest, coarse.largest);
 }
 
 /// The first radial mode of the ring ½ ≤ r ≤ 1, fixed on both circles: v_r = g(r) cos ω t.
