@@ -3,6 +3,7 @@
 
 #include "mortise/fluid/state.hpp"
 #include "mortise/grids/forest/field.hpp"
+#include "mortise/grids/geometry/cell_mean.hpp"
 
 namespace mortise {
 
@@ -20,6 +21,23 @@ void put(TileBlock& block, std::size_t cell, const Conserved<Dim>& U) {
   block.component(0)[cell] = U.density;
   for (int d = 0; d < Dim; ++d) block.component(1 + d)[cell] = U.momentum[static_cast<std::size_t>(d)];
   block.component(Dim + 1)[cell] = U.energy;
+}
+
+/// Mean over a cell of a smooth conserved state at(x).
+template <int Dim, class Function>
+Conserved<Dim> mean_state(const Corners<Dim>& corners, Function&& at) {
+  const auto mean = cell_mean<Dim>(corners, [&](const Point<Dim>& x) {
+    const Conserved<Dim> U = at(x);
+    std::array<double, Dim + 2> numbers{U.density};
+    for (std::size_t d = 0; d < Dim; ++d) numbers[1 + d] = U.momentum[d];
+    numbers[Dim + 1] = U.energy;
+    return numbers;
+  });
+  Conserved<Dim> U;
+  U.density = mean[0];
+  for (std::size_t d = 0; d < Dim; ++d) U.momentum[d] = mean[1 + d];
+  U.energy = mean[Dim + 1];
+  return U;
 }
 
 /// The components of a state in the order of the field, for interpolation: (ρ, u, p̃) and back.

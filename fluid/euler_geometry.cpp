@@ -193,6 +193,18 @@ double EulerSolver<Dim>::cell_volume(int grid, int tile, const Index<Dim>& cell)
   }
 }
 
+template <int Dim>
+Corners<Dim> EulerSolver<Dim>::cell_corners(int grid, int tile, const Index<Dim>& cell) const {
+  const Index<Dim> first = grids_[static_cast<std::size_t>(grid)].first_cell(tile);
+  Corners<Dim> corners;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    Index<Dim> node;
+    for (std::size_t d = 0; d < Dim; ++d) node[d] = first[d] + cell[d] + static_cast<int>(k >> d & 1U);
+    corners[k] = present_node(grid, node);
+  }
+  return corners;
+}
+
 template class EulerSolver<1>;
 template class EulerSolver<2>;
 

@@ -23,8 +23,10 @@ void EulerSolver<Dim>::initialize(const StateFunction<Dim>& initial, const std::
         for (int c = 0; c < components; ++c)
           std::fill_n(block->component(c), grids_[g].shape.plane, filler_[static_cast<std::size_t>(c)]);
       for_each_cell<Dim>(grids_[g].shape, 0, [&](const Index<Dim>& c) {
-        const Point<Dim> x = cell_center(static_cast<int>(g), t, c);
-        put<Dim>(now_[g].tile(t), grids_[g].shape.at(c), to_conserved(initial(x, time), setup_.gas.gamma));
+        const auto state = [&](const Point<Dim>& x) { return to_conserved(initial(x, time), setup_.gas.gamma); };
+        const int grid = static_cast<int>(g);
+        put<Dim>(now_[g].tile(t), grids_[g].shape.at(c),
+                 setup_.smooth ? mean_state<Dim>(cell_corners(grid, t, c), state) : state(cell_center(grid, t, c)));
       });
     }
   settle(time);

@@ -13,6 +13,7 @@
 #include "mortise/fluid/godunov_step.hpp"
 #include "mortise/grids/core/timers.hpp"
 #include "mortise/grids/forest/ghost_exchange.hpp"
+#include "mortise/grids/geometry/cell_mean.hpp"
 #include "mortise/grids/overlap/overlap.hpp"
 
 namespace mortise {
@@ -39,6 +40,7 @@ struct EulerSetup {
   Index<Dim> tile{};        // cells of a background tile; divides `cells`. Without background: of a mesh's, 0: chosen
   OverlapOptions overlap;
   bool skip = true;         // leave out quiet and hole tiles
+  bool smooth = false;      // the initial state: cells get its mean, not the value at the centre
   std::vector<FittedBody<Dim>> bodies;
 };
 
@@ -140,6 +142,7 @@ class EulerSolver {
   /// The same were the grid's body at another pose.
   Point<Dim> cell_center(int grid, int tile, const Index<Dim>& cell, const Pose<Dim>& pose) const;
   double cell_volume(int grid, int tile, const Index<Dim>& cell) const;
+  Corners<Dim> cell_corners(int grid, int tile, const Index<Dim>& cell) const;
   /// Nodes of a local tile of a body grid for a pose, indexed by node_shape(grid).at().
   void place_nodes(int grid, int tile, const Pose<Dim>& pose, std::array<std::vector<double>, Dim>& nodes) const;
   const TileShape<Dim>& node_shape(int grid) const { return node_shapes_[static_cast<std::size_t>(grid)]; }

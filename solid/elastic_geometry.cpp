@@ -45,6 +45,17 @@ Point<2> ElasticSolver::cell_center(int g, int t, const Index<2>& cell) const {
   return 0.25 * (at(0, 0) + at(1, 0) + at(0, 1) + at(1, 1));
 }
 
+ElasticState ElasticSolver::state_of_cell(const ElasticFunction& of, int g, int t, const Index<2>& cell,
+                                          double time) const {
+  if (!setup_.smooth) return of(cell_center(g, t, cell), time);
+  return cell_mean<2>(cell_corners(g, t, cell), [&](const Point<2>& X) { return of(X, time); });
+}
+
+Corners<2> ElasticSolver::cell_corners(int g, int t, const Index<2>& cell) const {
+  const auto at = [&](int i, int j) { return tile_node(g, t, cell[0] + i, cell[1] + j); };
+  return {at(0, 0), at(1, 0), at(0, 1), at(1, 1)};
+}
+
 double ElasticSolver::cell_volume(int g, int t, const Index<2>& cell) const {
   if (grid_of(g).background()) return grid_of(g).spacing.prod();
   const auto at = [&](int i, int j) { return tile_node(g, t, cell[0] + i, cell[1] + j); };

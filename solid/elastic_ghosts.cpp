@@ -59,7 +59,7 @@ void ElasticSolver::fill_exact(int g, int t, double time) {
     (side == Side::west || side == Side::south ? high[d] : low[d]) =
         side == Side::west || side == Side::south ? 0 : shape.cells[d];
     for_each_index<2>(low, high, [&](const Index<2>& cell) {
-      const ElasticState state = setup_.exact(cell_center(g, t, cell), time);
+      const ElasticState state = state_of_cell(setup_.exact, g, t, cell, time);
       for (int c = 0; c < components(); ++c)
         field(g).tile(t).component(c)[shape.at(cell)] = state[static_cast<std::size_t>(c)];
     });

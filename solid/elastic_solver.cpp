@@ -120,7 +120,7 @@ void ElasticSolver::initialize(const ElasticFunction& initial, double time) {
       std::fill_n(next_[static_cast<std::size_t>(g)].tile(t).component(c), shape.plane, rest);
     }
     for_each_cell<2>(shape, 0, [&](const Index<2>& cell) {
-      const ElasticState state = initial(cell_center(g, t, cell), time);
+      const ElasticState state = state_of_cell(initial, g, t, cell, time);
       for (int c = 0; c < components(); ++c)
         field(g).tile(t).component(c)[shape.at(cell)] = state[static_cast<std::size_t>(c)];
     });

@@ -13,6 +13,7 @@
 
 #include "mortise/grids/core/timers.hpp"
 #include "mortise/grids/forest/ghost_exchange.hpp"
+#include "mortise/grids/geometry/cell_mean.hpp"
 #include "mortise/grids/overlap/overlap.hpp"
 #include "mortise/solid/cell_finder.hpp"
 #include "mortise/solid/elastic_boundary.hpp"
@@ -38,6 +39,7 @@ struct ElasticSetup {
   OverlapOptions overlap;
   ElasticFunction exact;  // for ElasticBoundary::exact
   bool skip = true;       // leave out tiles in which nothing changes
+  bool smooth = false;    // initial and exact states: cells get their mean, not the value at the centre
 };
 
 struct ElasticStepCount {
@@ -87,6 +89,7 @@ class ElasticSolver {
   /// Reference position of the centre of a cell (index in its local tile), and its reference area.
   Point<2> cell_center(int grid, int tile, const Index<2>& cell) const;
   double cell_volume(int grid, int tile, const Index<2>& cell) const;
+  Corners<2> cell_corners(int grid, int tile, const Index<2>& cell) const;
   /// Grid-wide reference node (i, j) of a grid.
   Point<2> node(int grid, int i, int j) const;
   /// Share of a cell when overlapping cells are summed; 1 where there is one grid.
@@ -127,6 +130,7 @@ class ElasticSolver {
   // elastic_geometry.cpp
   void build_nodes();
   Point<2> tile_node(int grid, int tile, int i, int j) const;
+  ElasticState state_of_cell(const ElasticFunction& of, int grid, int tile, const Index<2>& cell, double time) const;
   bool find_stencil(const Point<2>& X, Index<2>& center, std::array<double, 2>& offset) const;
   ElasticState interpolated(const TileBlock& block, const TileShape<2>& shape, const Index<2>& center,
                             const std::array<double, 2>& offset) const;

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "mortise/cases/driver/local_cells.hpp"
+#include "mortise/cases/scene/solid_state.hpp"
 #include "mortise/fluid/cell.hpp"
 #include "mortise/solid/elastic_measures.hpp"
 
@@ -44,6 +45,17 @@ std::map<std::string, ErrorNorms> norms_of(const Communicator& comm, const std::
   return named;
 }
 
+/// What a cell of the fluid should hold: the mean of a smooth solution, the value at its centre otherwise.
+template <int Dim>
+Primitive<Dim> exact_gas(const Simulation<Dim>& simulation, const ExactSolution<Dim>& exact, int grid, int tile,
+                         const Index<Dim>& cell) {
+  const EulerSolver<Dim>& fluid = simulation.fluid();
+  const double gamma = fluid.setup().gas.gamma, t = simulation.time();
+  if (!exact.smooth()) return exact.state(fluid.cell_center(grid, tile, cell), t);
+  const auto at = [&](const Point<Dim>& x) { return to_conserved(exact.state(x, t), gamma); };
+  return to_primitive(mean_state<Dim>(fluid.cell_corners(grid, tile, cell), at), gamma);
+}
+
 template <int Dim>
 constexpr auto fluid_names() {
   if constexpr (Dim == 1)
@@ -58,10 +70,20 @@ const std::array<std::string, 11> solid_names = {"solid.displacement", "solid.di
                                                  "solid.stress",       "solid.stress_xx",      "solid.stress_xy",
                                                  "solid.stress_yx",    "solid.stress_yy"};
 
+/// The same for a solid, in the components of its law.
+template <int Dim>
+ElasticState exact_solid(const ElasticSolver& solid, const ExactSolution<Dim>& exact, double time, int grid, int tile,
+                         const Index<2>& cell) {
+  const auto at = [&](const Point<2>& X) { return elastic_state(solid.law(), exact.solid(X, time)); };
+  if (!exact.smooth()) return at(solid.cell_center(grid, tile, cell));
+  return cell_mean<2>(solid.cell_corners(grid, tile, cell), at);
+}
+
 std::array<double, solid_names.size()> solid_error(const Material& material, const ElasticState& state,
-                                                   const ExactSolid& exact) {
-  const Point<2> u = displacement_of(material, state) - exact.displacement, v = velocity_of(state) - exact.velocity;
-  const Gradient s = stress_of(material, state) - exact.stress;
+                                                   const ElasticState& exact) {
+  const Point<2> u = displacement_of(material, state) - displacement_of(material, exact);
+  const Point<2> v = velocity_of(state) - velocity_of(exact);
+  const Gradient s = stress_of(material, state) - stress_of(material, exact);
   return {u.norm(), u.x(), u.y(), v.norm(), v.x(), v.y(), s.norm(), s(0, 0), s(0, 1), s(1, 0), s(1, 1)};
 }
 
@@ -92,7 +114,7 @@ std::map<std::string, ErrorNorms> fluid_errors(const Simulation<Dim>& simulation
     for_each_local_cell<Dim>(grid, [&](int t, const Index<Dim>& c, std::size_t index, std::size_t cell) {
       if (state_of(grid.masks[static_cast<std::size_t>(t)], cell) != CellState::active) return;
       const Primitive<Dim> W = to_primitive(get<Dim>(fluid.fields()[g].tile(t), cell), gas.gamma);
-      const Primitive<Dim> E = exact.state(fluid.cell_center(number, t, c), simulation.time());
+      const Primitive<Dim> E = exact_gas<Dim>(simulation, exact, number, t, c);
       CellError<quantities> entry{number, static_cast<std::int64_t>(index), fluid.cell_volume(number, t, c), {}};
       const double pressure = W.pressure - gas.p_inf;
       entry.error[0] = W.density - E.density;
@@ -116,7 +138,7 @@ std::map<std::string, ErrorNorms> solid_errors(const Simulation<Dim>& simulation
       const Field<2>& field = solid->fields()[static_cast<std::size_t>(g)];
       for_each_local_cell<2>(grid, [&](int t, const Index<2>& c, std::size_t index, std::size_t cell) {
         if (state_of(grid.masks[static_cast<std::size_t>(t)], cell) != CellState::active) return;
-        const ExactSolid known = exact.solid(solid->cell_center(g, t, c), simulation.time());
+        const ElasticState known = exact_solid(*solid, exact, simulation.time(), g, t, c);
         mine.push_back({number, static_cast<std::int64_t>(index), solid->cell_volume(g, t, c),
                         solid_error(material, state_in(field.tile(t), material.law, cell), known)});
       });

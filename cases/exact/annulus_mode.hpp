@@ -24,6 +24,7 @@ class AnnulusMode : public ExactSolution<2> {
   /// Throws std::logic_error: there is no fluid.
   Primitive<2> state(const Point<2>& x, double t) const override;
   bool describes_fluid() const override { return false; }
+  bool smooth() const override { return true; }
   bool describes_solid() const override { return true; }
   ExactSolid solid(const Point<2>& X, double t) const override;
 

@@ -104,7 +104,11 @@ Made deforming_diffuser(const CaseDescription& c) {
   problem.load = load_of(c);
   const std::string& wall = c.solids[0].wall;
   problem.wall = [formula = Expression(wall.empty() ? "0" : wall, {"x"})](double x) { return formula(x); };
-  return std::make_unique<DeformingDiffuser>(problem);
+  try {
+    return std::make_unique<DeformingDiffuser>(problem);
+  } catch (const NumericalError& error) {
+    throw InputError(std::string("exact = \"deforming_diffuser\" has no steady flow over this wall: ") + error.what());
+  }
 }
 
 /// σ_rr on the far side of the solid; empty: held.

@@ -41,6 +41,7 @@ class ElasticPiston : public ExactSolution<2> {
   explicit ElasticPiston(const ElasticPistonProblem& problem);
 
   Primitive<2> state(const Point<2>& x, double t) const override;
+  bool smooth() const override { return true; }
   bool describes_solid() const override { return true; }
   ExactSolid solid(const Point<2>& X, double t) const override;
   std::optional<ExactInterface> interface_at(const Point<2>& X, double t) const override;

@@ -74,6 +74,9 @@ struct ExactSolution {
 
   /// The solution holds for 0 ≤ t ≤ valid_until().
   virtual double valid_until() const { return std::numeric_limits<double>::infinity(); }
+
+  /// Gas and solid are smooth: cells are started and judged with the mean of the solution, not the value at the centre.
+  virtual bool smooth() const { return false; }
 };
 
 /// The solution named by description.exact, nullptr where that is empty. Throws InputError for an unknown key (with the

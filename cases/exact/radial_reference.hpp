@@ -19,6 +19,7 @@ class RadialReference : public ExactSolution<2> {
   explicit RadialReference(const RadialProblem& problem, int cells = 600, int snapshots = 32);
 
   Primitive<2> state(const Point<2>& x, double t) const override;
+  bool smooth() const override { return true; }
   bool describes_solid() const override { return true; }
   ExactSolid solid(const Point<2>& X, double t) const override;
   std::optional<ExactInterface> interface_at(const Point<2>& X, double t) const override;

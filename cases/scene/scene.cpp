@@ -144,6 +144,7 @@ Scene<Dim> build_scene(const CaseDescription& description) {
   EulerSetup<Dim>& fluid = setup.fluid;
   scene.exact = make_exact<Dim>(description);
   setup.initial = initial_gas<Dim>(description, scene.exact);
+  fluid.smooth = scene.exact && scene.exact->smooth();
   const double spacing = set_fluid(description, scene);
 
   setup.scheme = description.scheme == "traditional" && !description.bodies.empty() ? "traditional" : "rigid";

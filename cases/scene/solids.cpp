@@ -223,6 +223,7 @@ void add_solid(const CaseDescription& description, std::size_t index, double spa
   gas.shape.spacing = spacing;
   solid.elastic.options = {material, limiter_of(description.solid.limiter), description.solid.null_mode_upwinding};
   solid.elastic.skip = description.skip;
+  solid.elastic.smooth = exact && exact->smooth();
   solid.initial = [initial, law = material.law](const Point<2>& X, double) {
     return elastic_state(law, initial(X, 0));
   };

@@ -81,15 +81,20 @@ class CaseRun {
   /// One step that does not pass `limit`. Throws NumericalError.
   void step(double limit) {
     simulation.advance(limit);
-    tight += simulation.fluid().overlap().report().tight;
+    tight += simulation.fluid().overlap_report().tight;
     record();
   }
 
   bool finished() const { return reason_.empty(); }
   const std::string& reason() const { return reason_; }
 
-  /// Norms of the errors against the case's exact solution, by name ("fluid.density", …).
-  std::map<std::string, ErrorNorms> errors() const { return fluid_errors(simulation, *scene.exact); }
+  /// Norms of the errors against the case's exact solution, by name ("fluid.density", …, "solid.stress", …).
+  std::map<std::string, ErrorNorms> errors() const {
+    std::map<std::string, ErrorNorms> all;
+    if (description.has_gas && scene.exact->describes_fluid()) all = fluid_errors(simulation, *scene.exact);
+    if (scene.exact->describes_solid()) all.merge(solid_errors(simulation, *scene.exact));
+    return all;
+  }
 
   /// Largest error over all steps and bodies of the velocity, and of the place, of the bodies.
   double worst_velocity() const {
@@ -109,8 +114,6 @@ class CaseRun {
     const EulerSolver<Dim>& fluid = simulation.fluid();
     for (std::size_t g = 0; g < fluid.grids().size(); ++g) {
       const ComponentGrid<Dim>& grid = fluid.grids()[g];
-      const Pose<Dim> pose =
-          grid.background() ? Pose<Dim>{} : simulation.bodies()[static_cast<std::size_t>(grid.body)].pose;
       for (int t = 0; t < grid.forest.local_count(); ++t) {
         const TileMask& mask = grid.masks[static_cast<std::size_t>(t)];
         if (mask.hole) continue;
@@ -120,7 +123,7 @@ class CaseRun {
           Primitive<Dim> W = to_primitive(get<Dim>(fluid.fields()[g].tile(t), k), description.gamma);
           W.pressure -= description.p_inf;
           const int number = static_cast<int>(g);
-          all.push_back({number, fluid.cell_center(number, t, c, pose), fluid.cell_volume(number, t, c), W});
+          all.push_back({number, fluid.cell_center(number, t, c), fluid.cell_volume(number, t, c), W});
         });
       }
     }

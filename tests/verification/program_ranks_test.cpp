@@ -37,6 +37,16 @@ TEST(ProgramRanks, Piston) {
   expect_same(folder, piston(), {2, 4});
 }
 
+TEST(ProgramRanks, SoftSticks) {
+  const ScratchFolder folder;
+  expect_same(folder, soft_sticks(), {1, 2, 4});
+}
+
+TEST(ProgramRanks, HoleInAPlate) {
+  const ScratchFolder folder;
+  expect_same(folder, hole_in_plate(), {1, 2, 4});
+}
+
 TEST(ProgramRanks, CylindersInContact) {
   const ScratchFolder folder;
   expect_same(folder, {"many_cylinders", "--quiet", "--frames", "3", "--until", "1.2", "--set", "grid.factor=4"}, {3});

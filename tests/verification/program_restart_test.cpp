@@ -42,6 +42,33 @@ class Restart : public ::testing::Test {
 TEST_F(Restart, Sticks) { expect_same(sticks(folder), {"0.35", "0.4"}); }
 TEST_F(Restart, Piston) { expect_same(piston(), {"0.55", "0.5"}); }
 
+TEST_F(Restart, SoftSticks) { expect_same(soft_sticks(), {"0.025", "0.03"}); }
+TEST_F(Restart, HoleInAPlate) { expect_same(hole_in_plate(), {"0.25", "0.3"}); }
+
+/// An elastic piston that takes several steps within one of the gas, or one within several.
+Arguments elastic_piston(const std::string& scheme, double scale) {
+  return {"elastic_piston", "--quiet",
+          "--frames",       "2",
+          "--set",          "grid.factor=2",
+          "--set",          "scheme=" + scheme,
+          "--set",          "solid.scale=" + std::to_string(scale),
+          "--set",          "output.checkpoint_interval=0.1"};
+}
+
+// What the schemes remember of the last steps, and structures' steps that are under way, are kept.
+TEST_F(Restart, EverySchemeOfAnElasticPiston) {
+  for (const char* scheme : {"projection", "traditional", "traditional-subiterated"}) {
+    const Arguments scene = elastic_piston(scheme, 10), slow = {"--set", "solids.0.material.density=1000"};
+    for (const Arguments& all : {scene, scene + slow}) {
+      const std::string whole = run(all, "whole", {"--overwrite"});
+      for (const std::string until : {"0.3", "0.35"}) {
+        run(all, "parts", {"--until", until, "--overwrite"});
+        EXPECT_EQ(differences(whole, go_on(all, "parts"), work), std::vector<std::string>{}) << scheme << " " << until;
+      }
+    }
+  }
+}
+
 TEST_F(Restart, UntilLeavesACheckpointWithoutAnInterval) {
   const Arguments scene = piston() + Arguments{"--set", "output.checkpoint_interval=0"};
   for (const std::string until : {"0.5", "0.6"}) {  // at a frame, and between two

@@ -31,4 +31,42 @@ inline Arguments piston() {
           "grid.factor=8", "--set",   "grid.tile=8", "--set", "output.checkpoint_interval=0.1"};
 }
 
+/// Neo-Hookean sticks on overlapping grids, in space and in every stick, just hit by a shock.
+inline Arguments soft_sticks() {
+  return {"shock_deformable_sticks",
+          "--quiet",
+          "--frames",
+          "2",
+          "--set",
+          "grid.factor=5",
+          "--set",
+          "grid.tile=[20, 20]",
+          "--set",
+          "initial.position=-0.6",
+          "--set",
+          "time.end=0.06",
+          "--set",
+          "output.pictures=[\"schlieren\", \"stress\", \"grids\"]",
+          "--set",
+          "output.picture_width=300",
+          "--set",
+          "output.checkpoint_interval=0.02"};
+}
+
+/// A linear plate with a hole full of gas, reached by a wave; the plate takes substeps.
+inline Arguments hole_in_plate() {
+  return {"cylinder_in_solid",
+          "--quiet",
+          "--frames",
+          "2",
+          "--set",
+          "grid.factor=1.5",
+          "--set",
+          "time.end=0.6",
+          "--set",
+          "output.picture_width=300",
+          "--set",
+          "output.checkpoint_interval=0.2"};
+}
+
 }  // namespace mortise::testing
