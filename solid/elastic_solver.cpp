@@ -180,7 +180,8 @@ void ElasticSolver::remember() {
       for (int t = 0; t < field.tiles(); ++t) std::ranges::copy(next.tile(t).all(), field.tile(t).all().begin());
     }
   memory_.holds.clear();
-  for (const Field<2>& field : now_) memory_.holds.emplace_back(static_cast<std::size_t>(field.tiles()), std::uint8_t{0});
+  for (const Field<2>& field : now_)
+    memory_.holds.emplace_back(static_cast<std::size_t>(field.tiles()), std::uint8_t{0});
   memory_.rates = rates_;
   memory_.least_j = least_j_;
   memory_.time = time_;
@@ -189,7 +190,8 @@ void ElasticSolver::remember() {
 void ElasticSolver::go_back() {
   for_each_tile([&](int g, int t) {
     const auto grid = static_cast<std::size_t>(g), tile = static_cast<std::size_t>(t);
-    if (std::exchange(memory_.holds[grid][tile], std::uint8_t{0})) std::swap(field(g).tile(t), memory_.fields[grid].tile(t));
+    if (std::exchange(memory_.holds[grid][tile], std::uint8_t{0}))
+      std::swap(field(g).tile(t), memory_.fields[grid].tile(t));
   });
   rates_ = memory_.rates;
   least_j_ = memory_.least_j;

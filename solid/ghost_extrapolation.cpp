@@ -47,8 +47,10 @@ void extrapolate_ghosts(const TileShape<2>& shape, TileBlock& block, Side side, 
   for (int component = 0; component < elastic_components(options.material.law); ++component) {
     double* const plane = block.component(component);
     int k = along_low;
-    for (; along_x && k + simd_width <= along_high; k += simd_width) extrapolate<Pack>(plane + shape.at(k, edge), inward, limited);
-    for (; k < along_high; ++k) extrapolate<double>(plane + (along_x ? shape.at(k, edge) : shape.at(edge, k)), inward, limited);
+    for (; along_x && k + simd_width <= along_high; k += simd_width)
+      extrapolate<Pack>(plane + shape.at(k, edge), inward, limited);
+    for (; k < along_high; ++k)
+      extrapolate<double>(plane + (along_x ? shape.at(k, edge) : shape.at(edge, k)), inward, limited);
   }
 }
 

@@ -223,7 +223,8 @@ void expect_same_cells(const ElasticSolver& a, const ElasticSolver& b) {
       const TileShape<2>& shape = a.grids()[g].shape;
       for_each_cell<2>(shape, 0, [&](const Index<2>& cell) {
         for (int c = 0; c < a.components(); ++c)
-          ASSERT_EQ(a.fields()[g].tile(t).component(c)[shape.at(cell)], b.fields()[g].tile(t).component(c)[shape.at(cell)]);
+          ASSERT_EQ(a.fields()[g].tile(t).component(c)[shape.at(cell)],
+                    b.fields()[g].tile(t).component(c)[shape.at(cell)]);
       });
     }
 }
