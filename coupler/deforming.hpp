@@ -19,6 +19,7 @@
 
 #include "mortise/coupler/schemes.hpp"
 #include "mortise/fluid/euler_solver.hpp"
+#include "mortise/grids/core/timers.hpp"
 
 namespace mortise {
 

@@ -60,6 +60,14 @@ ElasticState rest_state(StressLaw law) {
   return rest;
 }
 
+/// Without copying where `spent`: the block is about to be replaced as a whole.
+void keep(TileBlock& block, TileBlock& memory, bool spent) {
+  if (spent)
+    std::swap(block, memory);
+  else
+    std::ranges::copy(block.all(), memory.all().begin());
+}
+
 }  // namespace
 
 ElasticSolver::ElasticSolver(const Communicator& comm, ElasticSetup setup, PhaseTimers& timers)
@@ -152,10 +160,11 @@ void ElasticSolver::resume(double time) {
 void ElasticSolver::commit(double time) {
   for_each_tile([&](int g, int t) {
     const auto grid = static_cast<std::size_t>(g), tile = static_cast<std::size_t>(t);
-    if (!computed_[grid][tile]) return;
-    if (!memory_.holds.empty() && !std::exchange(memory_.holds[grid][tile], std::uint8_t{1}))
-      std::swap(field(g).tile(t), memory_.fields[grid].tile(t));
-    std::swap(field(g).tile(t), next_[grid].tile(t));
+    const bool advanced = computed_[grid][tile] != 0, changes = advanced || grids_[grid].masks[tile].cut();
+    TileBlock& now = field(g).tile(t);
+    if (changes && !memory_.holds.empty() && !std::exchange(memory_.holds[grid][tile], std::uint8_t{1}))
+      keep(now, memory_.fields[grid].tile(t), advanced);
+    if (advanced) std::swap(now, next_[grid].tile(t));
   });
   rates_ = new_rates_;
   least_j_ = new_least_j_;
@@ -163,7 +172,7 @@ void ElasticSolver::commit(double time) {
   fill_ghosts(time);
 }
 
-/// Copies nothing: the first step to advance a tile leaves the cells it had in memory_.
+/// Of the tiles, each is left in memory_ by the first commit() that changes it.
 void ElasticSolver::remember() {
   if (memory_.fields.empty())
     for (Field<2>& next : next_) {
@@ -171,21 +180,21 @@ void ElasticSolver::remember() {
       for (int t = 0; t < field.tiles(); ++t) std::ranges::copy(next.tile(t).all(), field.tile(t).all().begin());
     }
   memory_.holds.clear();
-  for (const Field<2>& field : now_) memory_.holds.emplace_back(static_cast<std::size_t>(field.tiles()), std::uint8_t{0});
+  for (const Field<2>& field : now_)
+    memory_.holds.emplace_back(static_cast<std::size_t>(field.tiles()), std::uint8_t{0});
   memory_.rates = rates_;
   memory_.least_j = least_j_;
   memory_.time = time_;
 }
 
-/// Fringe cells and ghosts follow from the cells that are advanced.
 void ElasticSolver::go_back() {
   for_each_tile([&](int g, int t) {
     const auto grid = static_cast<std::size_t>(g), tile = static_cast<std::size_t>(t);
-    if (std::exchange(memory_.holds[grid][tile], std::uint8_t{0})) std::swap(field(g).tile(t), memory_.fields[grid].tile(t));
+    if (std::exchange(memory_.holds[grid][tile], std::uint8_t{0}))
+      std::swap(field(g).tile(t), memory_.fields[grid].tile(t));
   });
   rates_ = memory_.rates;
   least_j_ = memory_.least_j;
-  if (overlap_) interpolate();
   fill_ghosts(memory_.time);
 }
 

@@ -153,7 +153,7 @@ class ElasticSolver {
   PerTile least_j_, new_least_j_;
   std::vector<std::vector<std::uint8_t>> computed_;  // per grid, tile: in the last step
   struct Memory {
-    std::vector<Field<2>> fields;                  // per grid; of the tiles advanced since
+    std::vector<Field<2>> fields;                  // per grid; of the tiles changed since
     std::vector<std::vector<std::uint8_t>> holds;  // per grid, tile: it is one of them
     PerTile rates, least_j;
     double time = 0;

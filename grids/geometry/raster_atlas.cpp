@@ -25,11 +25,12 @@ bool folded(const Quad& q) {
   return false;
 }
 
-/// Whether x is in a quadrilateral, edges included.
+/// Whether x is in a quadrilateral, edges included. Without branches: which edge fails first cannot be predicted.
 bool holds(const Quad& q, const Point<2>& x) {
   constexpr double on_edge = -1e-9;
-  return cross(q[1] - q[0], x - q[0]) >= on_edge && cross(q[2] - q[1], x - q[1]) >= on_edge &&
-         cross(q[3] - q[2], x - q[2]) >= on_edge && cross(q[0] - q[3], x - q[3]) >= on_edge;
+  const double south = cross(q[1] - q[0], x - q[0]), east = cross(q[2] - q[1], x - q[1]);
+  const double north = cross(q[3] - q[2], x - q[2]), west = cross(q[0] - q[3], x - q[3]);
+  return std::min(std::min(south, east), std::min(north, west)) >= on_edge;
 }
 
 /// η of a point of a quadrilateral, by Newton's method from its middle; one step is exact for parallelograms.

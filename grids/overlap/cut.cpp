@@ -260,6 +260,7 @@ void Overlap<Dim>::cut_by_body(int g, int t, std::size_t b, Index<Dim>& low, Ind
     low[d] = std::min(low[d], from[d]);
     high[d] = std::max(high[d], to[d]);
   }
+  const double reach = inner_reach(body);
   Index<Dim> row_end = to;
   row_end[0] = from[0] + 1;
   for_each_index<Dim>(from, row_end, [&](Index<Dim> c) {
@@ -280,7 +281,8 @@ void Overlap<Dim>::cut_by_body(int g, int t, std::size_t b, Index<Dim>& low, Ind
       c[0] = from[0] + i;
       global[0] = first[0] + c[0];
       const Point<Dim> x = grid.center(global);
-      if (covers_background(body, body.atlas->distance(frames_[b].to_body(x)), edge_distance(x))) mask.active[grid.shape.at(c)] = 0;
+      const double distance = body.atlas->distance(frames_[b].to_body(x));
+      if (distance <= 0 || (distance < reach && covers_background(body, distance, edge_distance(x)))) mask.active[grid.shape.at(c)] = 0;
     }
   });
 }
