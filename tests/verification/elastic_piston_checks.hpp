@@ -16,11 +16,12 @@ inline const std::vector<std::string> turned = {"fluid.density",     "fluid.velo
                                                 "solid.stress"};
 
 /// The strip in the plane, its normal at `angle` degrees, with exact data at its ends.
-inline Overrides strip(double angle) {
+inline Overrides strip(double angle, double width) {
+  const std::string half = std::to_string(0.5 * width);
   return {"dimension=2",
           set("grid.angle", angle),
-          "grid.low=[-0.05,0]",
-          "grid.high=[0.05,1]",
+          "grid.low=[-" + half + ",0]",
+          "grid.high=[" + half + ",1]",
           "initial.state=[0.1,0,0,0.07142857142857142]",
           "boundaries={left=\"exact\", right=\"exact\", top=\"exact\"}",
           "solids.0.sides={left=\"exact\", right=\"exact\", back=\"exact\"}"};

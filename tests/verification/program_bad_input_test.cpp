@@ -131,13 +131,11 @@ std::vector<Mistake> mistakes() {
        {"did you mean \"linear\"?"}},
       {"interface_without_a_scheme",
        with(soft_disk("radius=0.1, position=[0, 0.6]"), sets({"scheme=rigid"})),
-       {"leaves the interface of solids.0 (circle_0) without a scheme", "use projection"}},
-      {"solid_on_body",
-       soft_disk("radius=0.2, position=[0.1, 0]"),
-       {"overlaps solids.0 (circle_0)", "at t = 0"}},
+       {"leaves the interface of solids.0 (circle_2) without a scheme", "use projection"}},
+      {"solid_on_body", soft_disk("radius=0.2, position=[0.1, 0]"), {"overlaps solids.0 (circle_2)", "at t = 0"}},
       {"inverted_solid",
        soft_disk("radius=0.2, position=[0, 0.6], initial={kind=\"formula\", displacement=[\"-2*x\", 0]}"),
-       {"solids.0 (circle_0)", "J = det(I + ∇u) is -1", "must be > 0"}},
+       {"solids.0 (circle_2)", "J = det(I + ∇u) is -1", "must be > 0"}},
   };
 }
 
@@ -171,6 +169,24 @@ TEST_F(BadFile, OutputDirectory) {
   expect_refused(start({"run", "case.toml", "--output", "case.toml"}), {"\"case.toml\" is a file"});
   expect_refused(start({"run", "case.toml", "--output", "case.toml/out"}), {"case.toml/out", "is not a directory"});
   expect_refused(start({"run", "case.toml", "--output", "/proc/nothing/out"}), {"/proc/nothing/out", "cannot be"});
+}
+
+TEST_F(BadFile, ElasticScenes) {
+  const auto refused = [&](const std::string& name, const Arguments& values,
+                           const std::vector<std::string>& fragments) {
+    expect_refused(start(Arguments{"run", name, "--output", "out"} + sets(values)), fragments);
+  };
+  const std::string strip = "{shape=\"strip\", thickness=1, material={density=1, lambda=1, mu=1}}";
+  refused("elastic_piston", {"exact=none", "boundaries.right=outflow", "solids=[" + strip + ", " + strip + "]"},
+          {"solids.1 (strip_1) and solids.0 (strip_0) would share one interface", "belongs to one solid"});
+  refused("radial_shell", {"grid.high=[0.4, 0.6]"}, {"solids.0 (shell)", "boundaries of gas and solid must coincide"});
+  refused("deforming_diffuser",
+          {"solids.0.wall=-0.9*(1-cos(2*pi*x))", "exact=none", "initial.kind=uniform", "boundaries.left=inflow",
+           "boundaries.right=outflow", "boundaries.top=outflow"},
+          {"solids.0 (strip)", "folded at t = 0: cell (", "at ("});
+  refused("deforming_diffuser", {"solids.0.wall=-0.9*(1-cos(2*pi*x))"}, {"deforming_diffuser", "Prandtl-Meyer angle"});
+  const std::string fold = "initial={kind=\"formula\", displacement=[\"6*x*(1-x^2-y^2)\", \"6*y*(1-x^2-y^2)\"]}";
+  refused("radial_shell", {"exact=none", "solids.0." + fold}, {"solids.0 (shell)", "J = det(I + ∇u) is -0.", "> 0"});
 }
 
 TEST_F(BadFile, EarlierRunIsKeptUnlessOverwritten) {

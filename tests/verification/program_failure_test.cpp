@@ -96,6 +96,36 @@ TEST_F(NumericalFailure, ForceThatIsNoNumber) {
   EXPECT_NE(reason.find("not finite"), std::string::npos) << reason;
 }
 
+/// A shell pressed together ever harder from outside, until something gives way.
+class PressedShell : public FailingRun {
+ protected:
+  void expect_reason(const Arguments& more, const std::vector<std::string>& parts) const {
+    const Outcome outcome =
+        run_program(Arguments{"run", "radial_shell", "--output", "out", "--quiet", "--frames", "1", "--set",
+                              "exact=none", "--set", "grid.factor=2", "--set", "output.checkpoint_interval=0.02"} +
+                        more,
+                    {.folder = folder.path()});
+    ASSERT_EQ(outcome.status, 3) << outcome.errors;
+    const std::string reason = summary_of(out)["reason"];
+    EXPECT_EQ(lines(outcome.errors).at(0), "mortise: " + reason);
+    for (const std::string& part : parts) EXPECT_NE(reason.find(part), std::string::npos) << part << " in: " << reason;
+    expect_whole_files();
+    const double checkpoint = CheckpointReader(out + "/checkpoint.h5").doubles("motion").at(0);
+    EXPECT_GT(checkpoint, 0.0);
+    EXPECT_LE(checkpoint, summary_of(out)["time"]);
+  }
+};
+
+TEST_F(PressedShell, FoldedGridIsNamed) {
+  expect_reason({"--set", "solids.0.traction.outer=-4*t"},
+                {" at t = 0.", "step ", "the gas around solid shell has no grid any more", "cell (", "folded at ("});
+}
+
+TEST_F(PressedShell, InvertedCellIsNamed) {
+  expect_reason({"--set", "solids.0.traction.outer=-20*t", "--set", "solids.0.material.law=saint_venant_kirchhoff"},
+                {" at t = 0.", "step ", "grid shell, cell (", ") at (", "J -0."});
+}
+
 using EnvironmentFailure = FailingRun;
 
 // Files that may not grow beyond a size fail as on a full disk, which tests cannot have everywhere.
