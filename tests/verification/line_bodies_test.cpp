@@ -1,6 +1,7 @@
 // Bodies on a line that fall, collide and are squeezed.
 #include <gtest/gtest.h>
 
+#include "mortise/cases/driver/totals.hpp"
 #include "verification/piston_overrides.hpp"
 
 namespace mortise {

@@ -34,8 +34,8 @@ class SpringMass : public Structure {
   }
   bool periodic() const override { return false; }
   double rate() const override { return std::sqrt(stiffness_ / mass_); }
-  std::vector<StructureTrace> traces(double dt) override {
-    const double given = 0.5 * dt / mass_, admittance = given / (1 + 0.5 * dt * stiffness_ * given);
+  std::vector<StructureTrace> traces(double dt, double theta) override {
+    const double given = theta * dt / mass_, admittance = given / (1 + theta * dt * stiffness_ * given);
     std::vector<StructureTrace> traces(now_.size());
     for (std::size_t i = 0; i < now_.size(); ++i) {
       traces[i].velocity = {now_[i].velocity * admittance / given, 0};
@@ -138,7 +138,7 @@ Error error(const std::string& scheme, int cells, double mass) {
   const int steps = int(std::ceil(time * 2 / gas.spacing()));
   for (int n = 0; n < steps; ++n) {
     const double dt = time / steps;
-    const std::vector<StructureTrace> structure = row.traces(dt);
+    const std::vector<StructureTrace> structure = row.traces(dt, 0.5);
     const std::vector<FluidTrace> fluid(2, gas.trace(w, dt));
     const InterfaceSolution solution = interface_schemes().at(scheme)(
         {structure, fluid, area, length, &transfer, &law}, history, {.reference_pressure = reference_pressure});
