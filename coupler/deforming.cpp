@@ -11,6 +11,8 @@
 namespace mortise {
 namespace {
 
+constexpr double most_smoothing = 64;  // of grids grown anew, as of the first ones
+
 FluidTrace fluid_trace(const Primitive<2>& W) { return {W.density, Point<2>(W.velocity[0], W.velocity[1]), W.pressure}; }
 
 /// W0 + 2θ (W_half − W0) at t + θ Δt, or W_half where that has no positive density and pressure.
@@ -36,6 +38,18 @@ std::vector<Point<2>> moved(const std::vector<Point<2>>& from, const std::vector
   std::vector<Point<2>> to = from;
   add(to, velocity, dt);
   return to;
+}
+
+/// Takes a sixteenth of the fourth difference along the interface from its displacement: the two-cell wave vanishes, smooth
+/// displacements change at third order.
+std::vector<Point<2>> without_wrinkles(const std::vector<Point<2>>& u, bool periodic) {
+  std::vector<Point<2>> smooth = u;
+  const std::size_t n = u.size(), margin = periodic ? 0 : 2;
+  for (std::size_t k = margin; k + margin < n; ++k) {
+    const auto at = [&](std::size_t shift) -> const Point<2>& { return u[(k + n + shift - 2) % n]; };
+    smooth[k] -= (at(0) + at(4) - 4 * (at(1) + at(3)) + 6 * at(2)) / 16;
+  }
+  return smooth;
 }
 
 const double* take(const double* next, std::vector<Point<2>>& points) {
@@ -87,14 +101,18 @@ std::vector<Point<2>> DeformingInterface::fluid_curve(const std::vector<Point<2>
   return curve;
 }
 
+/// The fluid's grid for an interface. Where it folds with the smoothing of the first grid, more is tried.
 std::shared_ptr<const GrownGrid> DeformingInterface::follow(const std::vector<Point<2>>& displacement) const {
   const auto scope = timers_("grids");
   const std::vector<Point<2>> curve = fluid_curve(displacement);
-  try {
-    if (setup_.far.empty()) return std::make_shared<GrownGrid>(grow_from(curve, growth_, smoothing_));
-    return std::make_shared<GrownGrid>(stretch_between(curve, setup_.far, growth_.layers, growth_.spacing, fluid_periodic_, period_));
-  } catch (const NumericalError& error) {
-    throw NumericalError("the gas around solid " + setup_.name + " has no grid any more: " + error.what());
+  for (double smoothing = smoothing_;; smoothing *= 2) {
+    try {
+      if (setup_.far.empty()) return std::make_shared<GrownGrid>(grow_from(curve, growth_, smoothing));
+      return std::make_shared<GrownGrid>(stretch_between(curve, setup_.far, growth_.layers, growth_.spacing, fluid_periodic_, period_));
+    } catch (const NumericalError& error) {
+      if (setup_.far.empty() && smoothing < most_smoothing) continue;
+      throw NumericalError("the gas around solid " + setup_.name + " has no grid any more: " + error.what());
+    }
   }
 }
 
@@ -157,8 +175,8 @@ DeformingInterface::Step DeformingInterface::solve(std::span<const WallTrace<2>>
     traces_ = structure_.traces(pace.size, pace.size == dt ? 0.5 : (pace.begun + 0.5 * dt) / pace.size);
     step.solution = ask(data, law, 0.5 * dt, problem);
   }
-  step.node_velocity = node_velocities(step.solution.wall_velocity, structure_.periodic());
-  step.displacement = moved(displacement_, step.node_velocity, dt);
+  step.displacement = without_wrinkles(moved(displacement_, node_velocities(step.solution.wall_velocity, structure_.periodic()), dt), structure_.periodic());
+  for (std::size_t k = 0; k < displacement_.size(); ++k) step.node_velocity.push_back((step.displacement[k] - displacement_[k]) / dt);
   for (const Point<2>& u : step.displacement)
     if (!u.allFinite()) throw NumericalError("the interface of solid " + setup_.name + " has no finite velocity");
   if (!step.admissible) return step;
