@@ -175,7 +175,8 @@ DeformingInterface::Step DeformingInterface::solve(std::span<const WallTrace<2>>
     traces_ = structure_.traces(pace.size, pace.size == dt ? 0.5 : (pace.begun + 0.5 * dt) / pace.size);
     step.solution = ask(data, law, 0.5 * dt, problem);
   }
-  step.displacement = without_wrinkles(moved(displacement_, node_velocities(step.solution.wall_velocity, structure_.periodic()), dt), structure_.periodic());
+  step.displacement = moved(displacement_, node_velocities(step.solution.wall_velocity, structure_.periodic()), dt);
+  for (int k = 0; k < pace.substeps; ++k) step.displacement = without_wrinkles(step.displacement, structure_.periodic());
   for (std::size_t k = 0; k < displacement_.size(); ++k) step.node_velocity.push_back((step.displacement[k] - displacement_[k]) / dt);
   for (const Point<2>& u : step.displacement)
     if (!u.allFinite()) throw NumericalError("the interface of solid " + setup_.name + " has no finite velocity");

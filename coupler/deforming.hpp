@@ -3,7 +3,7 @@
 // One step, t → t + Δt:
 //   predict   the fluid's grid moves on as in the last step; half-time data of the fluid at its wall faces
 //   solve     the scheme: pressures of the fluid's faces, tractions and velocities of the structure's
-//   move      nodes x^{n+1} = x^n + Δt w of the interface, less 1/16 of the fourth difference of their displacement along it;
+//   move      nodes x^{n+1} = x^n + Δt w of the interface, less 1/16 of the fourth difference of their displacement along it per step of the structure;
 //             the fluid's grid grown anew from it, or stretched
 //   load      tractions from the pressures on the mean area vectors of the step: action = reaction to round-off
 // The faster side may take several steps within one of the slower's, whose data are then linear in time, and the slower
