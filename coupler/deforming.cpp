@@ -11,6 +11,7 @@
 namespace mortise {
 namespace {
 
+constexpr double wrinkles_taken = 0.25;  // per step of the structure
 constexpr double most_smoothing = 64;  // of grids grown anew, as of the first ones
 
 FluidTrace fluid_trace(const Primitive<2>& W) { return {W.density, Point<2>(W.velocity[0], W.velocity[1]), W.pressure}; }
@@ -40,18 +41,6 @@ std::vector<Point<2>> moved(const std::vector<Point<2>>& from, const std::vector
   return to;
 }
 
-/// Takes a sixteenth of the fourth difference along the interface from its displacement: the two-cell wave vanishes, smooth
-/// displacements change at third order.
-std::vector<Point<2>> without_wrinkles(const std::vector<Point<2>>& u, bool periodic) {
-  std::vector<Point<2>> smooth = u;
-  const std::size_t n = u.size(), margin = periodic ? 0 : 2;
-  for (std::size_t k = margin; k + margin < n; ++k) {
-    const auto at = [&](std::size_t shift) -> const Point<2>& { return u[(k + n + shift - 2) % n]; };
-    smooth[k] -= (at(0) + at(4) - 4 * (at(1) + at(3)) + 6 * at(2)) / 16;
-  }
-  return smooth;
-}
-
 const double* take(const double* next, std::vector<Point<2>>& points) {
   for (Point<2>& p : points) {
     p = Point<2>(next[0], next[1]);
@@ -67,25 +56,25 @@ void put(std::vector<double>& state, const std::vector<Point<2>>& points) {
 }  // namespace
 
 DeformingInterface::DeformingInterface(InterfaceSetup setup, Structure& structure, const FittedBody<2>& grid, PhaseTimers& timers)
-    : setup_(std::move(setup)), structure_(structure), timers_(timers), scheme_(&interface_schemes().at(setup_.scheme)), overlaps_(!grid.mesh), reference_(structure.interface_nodes()) {
+    : setup_(std::move(setup)), structure_(structure), timers_(timers), scheme_(&interface_schemes().at(setup_.scheme)), overlaps_(!grid.mesh), curve_{structure.interface_nodes(), structure.periodic(), structure.period()} {
   const GrownGrid& fluid = grid.mesh ? *grid.mesh : grid.shape.atlas->grid();
   for (int i = 0; i < fluid.row(); ++i) fluid_reference_.push_back(fluid.node(i, 0));
   growth_ = {.spacing = fluid.spacing, .layers = fluid.layers, .inward = setup_.inward, .thickness = fluid.thickness};
   smoothing_ = fluid.smoothing;
   period_ = fluid.period;
   fluid_periodic_ = fluid.periodic;
-  const CurveParameters parameters = curve_parameters(reference_, structure_.periodic(), structure_.period(), fluid_reference_, fluid.periodic);
+  const CurveParameters parameters = curve_parameters(curve_.nodes, curve_.periodic, curve_.period, fluid_reference_, fluid.periodic);
   if (parameters.farthest > 0.1 * fluid.spacing)
     throw InputError("the grids of solid \"" + setup_.name + "\" and of the gas around it do not begin at the same curve: a node of the gas is " +
                      std::to_string(parameters.farthest) + " away from the solid's surface");
   transfer_ = std::make_unique<Transfer>(parameters.structure, parameters.fluid, structure_.periodic());
   lengths_ = parameters.lengths;
   for (const CurveParameters::Place& place : parameters.places) stencils_.push_back({place.node, place.weight});
-  displacement_.assign(reference_.size(), Point<2>::Zero());
+  displacement_.assign(curve_.nodes.size(), Point<2>::Zero());
   velocity_ = displacement_;
-  for (std::size_t k = 0; k < reference_.size(); ++k) {
-    if (setup_.displacement) displacement_[k] = setup_.displacement(reference_[k]);
-    if (setup_.velocity) velocity_[k] = setup_.velocity(reference_[k]);
+  for (std::size_t k = 0; k < curve_.nodes.size(); ++k) {
+    if (setup_.displacement) displacement_[k] = setup_.displacement(curve_.nodes[k]);
+    if (setup_.velocity) velocity_[k] = setup_.velocity(curve_.nodes[k]);
   }
   previous_displacement_ = displacement_;
   mesh_ = follow(displacement_);
@@ -159,13 +148,14 @@ void DeformingInterface::start(std::span<const WallTrace<2>> fluid, const WallLa
   InterfaceProblem problem;
   traces_ = structure_.traces(0, 0);
   const InterfaceSolution solution = ask(now, law, 0, problem);
-  velocity_ = node_velocities(solution.wall_velocity, structure_.periodic());
+  velocity_ = node_velocities(solution.wall_velocity, curve_.periodic);
   pressure_ = solution.pressure;
 }
 
 DeformingInterface::Step DeformingInterface::solve(std::span<const WallTrace<2>> fluid, const WallLaw& law, double time, double dt, const Pace& pace) {
   Step step;
   step.pace = pace;
+  step.displacement = displacement_;
   InterfaceProblem problem;
   if (pace.substeps > 1) {
     take_substeps(step, fluid, law, time, dt, problem);
@@ -174,9 +164,8 @@ DeformingInterface::Step DeformingInterface::solve(std::span<const WallTrace<2>>
     for (const WallTrace<2>& trace : fluid) data.push_back(fluid_trace(trace.half));
     traces_ = structure_.traces(pace.size, pace.size == dt ? 0.5 : (pace.begun + 0.5 * dt) / pace.size);
     step.solution = ask(data, law, 0.5 * dt, problem);
+    move_nodes(step.displacement, step.solution, dt, dt / pace.size);
   }
-  step.displacement = moved(displacement_, node_velocities(step.solution.wall_velocity, structure_.periodic()), dt);
-  for (int k = 0; k < pace.substeps; ++k) step.displacement = without_wrinkles(step.displacement, structure_.periodic());
   for (std::size_t k = 0; k < displacement_.size(); ++k) step.node_velocity.push_back((step.displacement[k] - displacement_[k]) / dt);
   for (const Point<2>& u : step.displacement)
     if (!u.allFinite()) throw NumericalError("the interface of solid " + setup_.name + " has no finite velocity");
@@ -187,6 +176,16 @@ DeformingInterface::Step DeformingInterface::solve(std::span<const WallTrace<2>>
   for (std::size_t i = 0; i < areas_.size(); ++i) step.force -= (step.solution.load[i] - setup_.options.reference_pressure) * areas_[i];
   if (pace.substeps == 1) step.solution.traction = tractions(problem, step.solution.load, setup_.options);
   return step;
+}
+
+/// Moves the nodes over `dt`, the part `share` of a step of the structure, of which traces_ are the middle.
+void DeformingInterface::move_nodes(std::vector<Point<2>>& displacement, const InterfaceSolution& solution, double dt, double share) const {
+  std::vector<Point<2>> tangents;
+  for (const StructureTrace& trace : traces_) tangents.push_back(trace.tangent);
+  const std::vector<Point<2>> velocity = node_velocities(solution.wall_velocity, curve_.periodic);
+  const std::vector<Point<2>> smoothing = without_wrinkles(curve_, moved(displacement, velocity, 0.5 * dt), tangents, wrinkles_taken * share);
+  add(displacement, velocity, dt);
+  add(displacement, smoothing, 1);
 }
 
 /// The structure's steps within the fluid's, and the means over them.
@@ -202,6 +201,7 @@ void DeformingInterface::take_substeps(Step& step, std::span<const WallTrace<2>>
     traces_ = structure_.traces(dt * share, 0.5);
     const InterfaceSolution part = ask(data, law, theta * dt, problem);
     step.admissible = structure_.step(part.traction, part.velocity, dt * share);
+    move_nodes(step.displacement, part, dt * share, 1);
     if (step.admissible) structure_.commit(time + (k + 1) * share * dt);
     add(step.solution.pressure, part.pressure, share);
     add(step.solution.load, part.load, share);
@@ -260,9 +260,9 @@ double DeformingInterface::fastest_node(const Step& step) {
 }
 
 InterfaceState DeformingInterface::state() const {
-  InterfaceState state{setup_.name, structure_.periodic(), reference_, velocity_, pressure_, fluid_curve(displacement_), force_, half_time_};
+  InterfaceState state{setup_.name, curve_.periodic, curve_.nodes, velocity_, pressure_, fluid_curve(displacement_), force_, half_time_};
   add(state.nodes, displacement_, 1);
-  state.period = structure_.period();
+  state.period = curve_.period;
   return state;
 }
 

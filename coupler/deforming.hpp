@@ -3,20 +3,14 @@
 // One step, t → t + Δt:
 //   predict   the fluid's grid moves on as in the last step; half-time data of the fluid at its wall faces
 //   solve     the scheme: pressures of the fluid's faces, tractions and velocities of the structure's
-//   move      nodes x^{n+1} = x^n + Δt w of the interface, less 1/16 of the fourth difference of their displacement along it per step of the structure;
-//             the fluid's grid grown anew from it, or stretched
+//   move      nodes x^{n+1} = x^n + Δt w of the interface, less wrinkles (interface_nodes.hpp); the fluid's grid grown anew from
+//             it, or stretched
 //   load      tractions from the pressures on the mean area vectors of the step: action = reaction to round-off
 // The faster side may take several steps within one of the slower's, whose data are then linear in time, and the slower
 // gets the mean of what the faster one got: second order, and the same impulse on both sides.
 // * structure faster: its substeps are taken within the fluid's step; the fluid gets their mean pressure, its wall
 //   their mean motion.
 // * fluid faster: the structure waits over several steps of the fluid; its step then gets their mean traction.
-//
-// Why a difference is taken from the displacement: a pressure p ≠ p_e turns with the surface, and the surface's nodes remember
-// every wrinkle, while upwinding lets the solid's stress at the grid scale fade. Wrinkles of three to four cells then
-// grow within about twenty passages of a wave through the body (measured for p − p_e = 0.2 μ in still gas; independent
-// of both densities, faster on finer grids). The filter damps them more strongly than they grow; for smooth
-// displacements it is of third order. Momentum and mass are not concerned.
 #pragma once
 
 #include <functional>
@@ -24,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "mortise/coupler/interface_nodes.hpp"
 #include "mortise/coupler/schemes.hpp"
 #include "mortise/fluid/euler_solver.hpp"
 #include "mortise/grids/core/timers.hpp"
@@ -119,6 +114,7 @@ class DeformingInterface {
   void tabulate();
   std::vector<Point<2>> predicted_areas(double from_now) const;
   InterfaceSolution ask(std::span<const FluidTrace> fluid, const WallLaw& law, double from_now, InterfaceProblem& problem);
+  void move_nodes(std::vector<Point<2>>& displacement, const InterfaceSolution& solution, double dt, double share) const;
   void take_substeps(Step& step, std::span<const WallTrace<2>> fluid, const WallLaw& law, double time, double dt, InterfaceProblem& problem);
 
   InterfaceSetup setup_;
@@ -126,7 +122,8 @@ class DeformingInterface {
   PhaseTimers& timers_;
   const InterfaceScheme* scheme_;
   bool overlaps_;
-  std::vector<Point<2>> reference_, fluid_reference_;  // nodes of the structure's faces, of the fluid's
+  InterfaceCurve curve_;                               // of the structure's faces
+  std::vector<Point<2>> fluid_reference_;              // nodes of the fluid's faces
   std::vector<double> lengths_;                        // of the structure's faces
   std::vector<Stencil> stencils_;                      // per fluid node
   GrowthOptions growth_{};

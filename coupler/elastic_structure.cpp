@@ -12,8 +12,9 @@ std::vector<StructureTrace> ElasticStructure::traces(double dt, double theta) {
   std::vector<StructureTrace> traces;
   const auto line = [theta](const Point<2>& now, const Point<2>& half) { return Point<2>(now + 2 * theta * (half - now)); };
   for (const ElasticTrace& t : solver_.interface_traces(dt))
-    traces.push_back(theta == 0.5 ? StructureTrace{t.velocity, t.traction, t.admittance}
-                                  : StructureTrace{line(t.velocity_now, t.velocity), line(t.traction_now, t.traction), t.admittance});
+    traces.push_back(theta == 0.5 ? StructureTrace{t.velocity, t.traction, t.admittance, t.tangent}
+                                  : StructureTrace{line(t.velocity_now, t.velocity), line(t.traction_now, t.traction), t.admittance,
+                                                   line(t.tangent_now, t.tangent)});
   return traces;
 }
 

@@ -22,6 +22,7 @@ struct StructureTrace {
   Point<2> velocity = Point<2>::Zero();     // v_s
   Point<2> traction = Point<2>::Zero();     // t_s on the outward reference normal (into the fluid), per reference area
   Eigen::Matrix2d admittance = Eigen::Matrix2d::Zero();  // Z⁻¹: v_I = v_s + Z⁻¹(t_I − t_s); may be zero (rigid)
+  Point<2> tangent = Point<2>::Zero();  // of the deformed face, per unit reference length, in the order of the faces; zero: unknown
 };
 
 /// The fluid at one of its faces at some instant.

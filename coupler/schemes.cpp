@@ -42,21 +42,4 @@ std::vector<Point<2>> tractions(const InterfaceProblem& problem, std::span<const
   return traction;
 }
 
-std::vector<Point<2>> node_velocities(std::span<const Point<2>> of_faces, bool periodic) {
-  const auto faces = static_cast<int>(of_faces.size());
-  const auto at = [&](int i) -> Point<2> {
-    if (periodic) return of_faces[static_cast<std::size_t>(((i % faces) + faces) % faces)];
-    if (i >= 0 && i < faces) return of_faces[static_cast<std::size_t>(i)];
-    if (faces == 1) return of_faces[0];
-    const bool below = i < 0;
-    const Point<2>& end = below ? of_faces.front() : of_faces.back();
-    const Point<2>& inner = below ? of_faces[1] : of_faces[of_faces.size() - 2];
-    return end + (below ? -i : i - faces + 1) * (end - inner);
-  };
-  std::vector<Point<2>> nodes;
-  for (int node = 0; node < faces + (periodic ? 0 : 1); ++node)
-    nodes.push_back((at(node - 2) + at(node + 1) + 3 * (at(node - 1) + at(node))) / 8);
-  return nodes;
-}
-
 }  // namespace mortise

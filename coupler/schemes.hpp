@@ -63,8 +63,4 @@ const Registry<InterfaceScheme>& interface_schemes();
 std::vector<Point<2>> tractions(const InterfaceProblem& problem, std::span<const double> pressure,
                                 const InterfaceOptions& options);
 
-/// Velocities of the interface's nodes from those of the structure's faces, weights (1, 3, 3, 1)/8: the two-point mean
-/// lets a mode of three cells' wavelength grow on light soft solids. Open curve: linear extrapolation beyond its ends.
-std::vector<Point<2>> node_velocities(std::span<const Point<2>> of_faces, bool periodic);
-
 }  // namespace mortise

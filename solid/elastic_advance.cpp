@@ -60,7 +60,7 @@ void ElasticSolver::solve_boundary(int g, int t, Side side, const ElasticSide& w
 }
 
 std::vector<ElasticTrace> ElasticSolver::interface_traces(double dt) {
-  using Numbers = std::array<double, 12>;
+  using Numbers = std::array<double, 16>;
   struct Item {
     int face;
     Numbers trace;
@@ -76,16 +76,16 @@ std::vector<ElasticTrace> ElasticSolver::interface_traces(double dt) {
       const ElasticTrace& a = traces_[i];
       mine.push_back({grid_of(g).first_cell(t)[0] + static_cast<int>(i),
                       {a.velocity[0], a.velocity[1], a.traction[0], a.traction[1], a.velocity_now[0], a.velocity_now[1],
-                       a.traction_now[0], a.traction_now[1], a.admittance(0, 0), a.admittance(0, 1), a.admittance(1, 0),
-                       a.admittance(1, 1)}});
+                       a.traction_now[0], a.traction_now[1], a.tangent[0], a.tangent[1], a.tangent_now[0], a.tangent_now[1],
+                       a.admittance(0, 0), a.admittance(0, 1), a.admittance(1, 0), a.admittance(1, 1)}});
     }
   });
   std::vector<Item> all = comm_.gather_all(mine);
   std::sort(all.begin(), all.end(), [](const Item& a, const Item& b) { return a.face < b.face; });
   std::vector<ElasticTrace> traces;
   for (const auto& [face, a] : all) {
-    ElasticTrace trace{{a[0], a[1]}, {a[2], a[3]}, {a[4], a[5]}, {a[6], a[7]}, {}};
-    trace.admittance << a[8], a[9], a[10], a[11];
+    ElasticTrace trace{{a[0], a[1]}, {a[2], a[3]}, {a[4], a[5]}, {a[6], a[7]}, {a[8], a[9]}, {a[10], a[11]}, {}};
+    trace.admittance << a[12], a[13], a[14], a[15];
     traces.push_back(trace);
   }
   return traces;

@@ -83,6 +83,7 @@ ElasticStepResult elastic_rate(const ElasticTile& tile, const ElasticOptions& op
 struct ElasticTrace {
   Point<2> velocity, traction;          // at t + ½Δt; traction on the outward reference normal
   Point<2> velocity_now, traction_now;  // the same at t
+  Point<2> tangent, tangent_now;        // F T, T the unit tangent with the solid on its left; zero: linear elasticity does not know it
   Eigen::Matrix2d admittance;           // Z⁻¹ at t + ½Δt
 };
 

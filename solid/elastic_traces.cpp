@@ -87,6 +87,9 @@ ElasticTrace trace_of(const ElasticTile& tile, int i, int j, Side side, double d
   trace.traction = point(system.traction(face, N));
   trace.velocity_now = point(now.velocity);
   trace.traction_now = point(system.traction(now, N));
+  const Vec T = {-N.y, N.x};
+  trace.tangent = point(system.stretched(face, T));
+  trace.tangent_now = point(system.stretched(now, T));
   trace.admittance << point(system.admit(face, N, Vec{1, 0})), point(system.admit(face, N, Vec{0, 1}));
   return trace;
 }

@@ -45,6 +45,11 @@ class Linear {
     return updated(W, {m.factor_xi * times(h.xi.deformation, m.xi) + m.factor_eta * times(h.eta.deformation, m.eta),
                        m.factor_xi * strain(h.xi.velocity, m.xi) + m.factor_eta * strain(h.eta.velocity, m.eta)});
   }
+  /// A rotation leaves no trace in the stress: not known.
+  template <class T>
+  MORTISE_INLINE static Vector<T> stretched(const StateOf<T>&, const Vector<T>&) {
+    return {T{}, T{}};
+  }
   /// Any face state is admissible.
   template <class T>
   MORTISE_INLINE void ensure_admissible_faces(const StateOf<T>&, StateOf<T>&, Slopes<StateOf<T>>&) const {}
@@ -151,6 +156,11 @@ class Hyperelastic {
     return updated(W, {m.factor_xi * law_.traction_change(at, F, h.xi.deformation, m.xi) +
                            m.factor_eta * law_.traction_change(at, F, h.eta.deformation, m.eta),
                        m.factor_xi * outer(h.xi.velocity, m.xi) + m.factor_eta * outer(h.eta.velocity, m.eta)});
+  }
+  /// F M for a unit vector M of the reference frame.
+  template <class T>
+  MORTISE_INLINE static Vector<T> stretched(const StateOf<T>& W, const Vector<T>& M) {
+    return times(W.deformation, M);
   }
   /// Where J of a face state would fall below a tenth of the cell's, all of them are the cell average.
   template <class T>

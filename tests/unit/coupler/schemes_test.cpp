@@ -1,3 +1,4 @@
+#include "mortise/coupler/interface_nodes.hpp"
 #include "mortise/coupler/schemes.hpp"
 
 #include <gtest/gtest.h>
