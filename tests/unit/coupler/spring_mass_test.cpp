@@ -6,6 +6,7 @@
 
 #include <limits>
 
+#include "mortise/coupler/interface_nodes.hpp"
 #include "mortise/fluid/cell.hpp"
 #include "mortise/fluid/godunov_step.hpp"
 #include "unit/coupler/interface_scene.hpp"
