@@ -11,7 +11,7 @@
 namespace mortise {
 namespace {
 
-constexpr double wrinkles_taken = 0.25;  // per step of the structure
+constexpr double wrinkles_taken = 0.25;  // per step of the structure (interface_nodes.hpp)
 constexpr double most_smoothing = 64;  // of grids grown anew, as of the first ones
 
 FluidTrace fluid_trace(const Primitive<2>& W) { return {W.density, Point<2>(W.velocity[0], W.velocity[1]), W.pressure}; }
@@ -67,7 +67,7 @@ DeformingInterface::DeformingInterface(InterfaceSetup setup, Structure& structur
   if (parameters.farthest > 0.1 * fluid.spacing)
     throw InputError("the grids of solid \"" + setup_.name + "\" and of the gas around it do not begin at the same curve: a node of the gas is " +
                      std::to_string(parameters.farthest) + " away from the solid's surface");
-  transfer_ = std::make_unique<Transfer>(parameters.structure, parameters.fluid, structure_.periodic());
+  transfer_ = std::make_unique<Transfer>(parameters.structure, parameters.fluid, curve_.periodic);
   lengths_ = parameters.lengths;
   for (const CurveParameters::Place& place : parameters.places) stencils_.push_back({place.node, place.weight});
   displacement_.assign(curve_.nodes.size(), Point<2>::Zero());
@@ -183,9 +183,9 @@ void DeformingInterface::move_nodes(std::vector<Point<2>>& displacement, const I
   std::vector<Point<2>> tangents;
   for (const StructureTrace& trace : traces_) tangents.push_back(trace.tangent);
   const std::vector<Point<2>> velocity = node_velocities(solution.wall_velocity, curve_.periodic);
-  const std::vector<Point<2>> smoothing = without_wrinkles(curve_, moved(displacement, velocity, 0.5 * dt), tangents, wrinkles_taken * share);
+  const std::vector<Point<2>> correction = wrinkle_correction(curve_, moved(displacement, velocity, 0.5 * dt), tangents, wrinkles_taken * share);
   add(displacement, velocity, dt);
-  add(displacement, smoothing, 1);
+  add(displacement, correction, 1);
 }
 
 /// The structure's steps within the fluid's, and the means over them.

@@ -19,8 +19,8 @@ std::vector<Point<2>> node_velocities(std::span<const Point<2>> of_faces, bool p
   return nodes;
 }
 
-std::vector<Point<2>> without_wrinkles(const InterfaceCurve& curve, std::span<const Point<2>> displacement,
-                                       std::span<const Point<2>> tangents, double strength) {
+std::vector<Point<2>> wrinkle_correction(const InterfaceCurve& curve, std::span<const Point<2>> displacement,
+                                         std::span<const Point<2>> tangents, double strength) {
   const std::size_t faces = curve.faces(), nodes = curve.nodes.size();
   std::vector<Point<2>> stretch(faces), defect(faces);  // of the faces' edges: as they are, and less what F says
   for (std::size_t f = 0; f < faces; ++f) {

@@ -22,8 +22,9 @@ struct InterfaceCurve {
 std::vector<Point<2>> node_velocities(std::span<const Point<2>> of_faces, bool periodic);
 
 /// What a step has to add to the displacement of each node so that wrinkles fade on the interface as they do in the
-/// structure. Third order for smooth motions: momentum, mass and rigid motions are not concerned.
+/// structure. Of third order over a time for smooth motions; open ends stay where they are.
 /// displacement: of the nodes; tangents: F T per face, zero where the structure does not know it, at the same instant.
+/// Where all tangents are known, rigid motions are left alone.
 ///
 /// Upwinding lets the deformation gradient F of a solid fade at the grid scale, while nodes moved by the velocity remember
 /// every wrinkle. A pressure p ≠ p_e turns with the nodes, and no stress resists where F has faded: with impedances z_p,
@@ -32,7 +33,7 @@ std::vector<Point<2>> node_velocities(std::span<const Point<2>> of_faces, bool p
 /// pressure has the surface waves of a free one of moduli λ', μ' of that state.) So the edges of the interface relax to
 /// F T, by `strength` of the difference per step of the structure (1/4: the wave of two faces loses all of it).
 /// Where F is not known, a quarter of `strength` times the fourth difference is taken from the displacement instead.
-std::vector<Point<2>> without_wrinkles(const InterfaceCurve& curve, std::span<const Point<2>> displacement,
-                                       std::span<const Point<2>> tangents, double strength);
+std::vector<Point<2>> wrinkle_correction(const InterfaceCurve& curve, std::span<const Point<2>> displacement,
+                                         std::span<const Point<2>> tangents, double strength);
 
 }  // namespace mortise

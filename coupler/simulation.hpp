@@ -86,8 +86,6 @@ class Simulation {
   std::vector<InterfaceState> interfaces() const { return deforming_.states(); }
   /// Smallest J seen in any solid since the start (1: none, or linear elasticity only).
   double least_j() const { return least_j_; }
-  /// Fastest wave |u| + c of the initial state of gas and solids, at most.
-  double fastest_wave() const { return fastest_wave_; }
   EulerSolver<Dim>& fluid() { return fluid_; }
   const EulerSolver<Dim>& fluid() const { return fluid_; }
   const SimulationSetup<Dim>& setup() const { return setup_; }

@@ -1,5 +1,5 @@
-// A light, soft ellipse under the pressure behind a shock: without the filter of its interface's displacement wrinkles of three
-// to four cells fold the gas's grid at t = 1.8.
+// A light, soft ellipse under the pressure behind a shock: without the tie of the interface's nodes to its deformation wrinkles
+// of three to four cells fold the gas's grid at t = 1.8.
 #include <gtest/gtest.h>
 
 #include "verification/case_runner.hpp"

@@ -1,4 +1,3 @@
-#include "mortise/coupler/interface_nodes.hpp"
 #include "mortise/coupler/schemes.hpp"
 
 #include <gtest/gtest.h>
@@ -282,22 +281,6 @@ TEST(InterfaceSchemes, FailuresNameTheFace) {
   const InterfaceScene rigid = one_face(x_axis, {}, {1, {0, 0}, 1}, ideal_gas());
   EXPECT_THROW(rigid.solve("anti-traditional", {}, {{{{0, 0}}}, {{1.0}}}), NumericalError);
   EXPECT_THROW(interface_schemes().at("projektion"), InputError);
-}
-
-TEST(NodeVelocities, AreExactForLinearFieldsAndSmoothTheRest) {
-  std::vector<Point<2>> faces;
-  for (int i = 0; i < 6; ++i) faces.push_back({2 + 3 * (i + 0.5), -i - 0.5});
-  const auto nodes = node_velocities(faces, false);
-  ASSERT_EQ(nodes.size(), 7u);
-  for (int i = 0; i < 7; ++i) EXPECT_LT((nodes[std::size_t(i)] - Point<2>(2 + 3 * i, -i)).norm(), 1e-14);
-
-  std::vector<Point<2>> pulse(6, Point<2>::Zero());
-  pulse[0] = {8, 0};
-  const auto around = node_velocities(pulse, true);
-  const std::vector<double> weights = {3, 3, 1, 0, 0, 1};
-  ASSERT_EQ(around.size(), 6u);
-  for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(around[i][0], weights[i]);
-  EXPECT_EQ(node_velocities(std::vector<Point<2>>{{1, 2}}, false).back(), Point<2>(1, 2));
 }
 
 }  // namespace
