@@ -35,9 +35,10 @@ std::vector<std::string> option_names(const CLI::App& command) {
   return names;
 }
 
-/// The first argument that nothing takes, an option before others; empty: none.
-std::string first_unused(const CLI::App& app) {
+/// The first argument that nothing takes, an option before others unless a command must come first; empty: none.
+std::string first_unused(const CLI::App& app, bool command_first) {
   const std::vector<std::string> unused = app.remaining(true);
+  if (command_first && !unused.empty()) return unused.front();
   const auto option =
       std::find_if(unused.begin(), unused.end(), [](const std::string& word) { return word.rfind('-', 0) == 0; });
   if (option != unused.end()) return *option;
@@ -47,16 +48,20 @@ std::string first_unused(const CLI::App& app) {
 }  // namespace
 
 std::string explain(const CLI::App& app, const CLI::ParseError& error) {
-  const std::vector<CLI::App*> chosen = const_cast<CLI::App&>(app).get_subcommands();
-  const std::string unused = first_unused(app);
-  const CLI::App& command = chosen.empty() ? app : *chosen.front();
-  const std::string place = chosen.empty() ? "" : command.get_name() + ": ";
-  const std::string help =
-      chosen.empty() ? " (see mortise --help)" : " (see mortise " + command.get_name() + " --help)";
+  const CLI::App* command = &app;
+  std::string words;  // of the commands that were recognised
+  for (auto chosen = const_cast<CLI::App&>(app).get_subcommands(); !chosen.empty(); chosen = chosen.front()->get_subcommands()) {
+    command = chosen.front();
+    words += (words.empty() ? "" : " ") + command->get_name();
+  }
+  const bool incomplete = !command_names(*command).empty();  // a command must follow
+  const std::string unused = first_unused(app, incomplete);
+  const std::string place = words.empty() ? "" : words + ": ";
+  const std::string help = " (see mortise " + words + (words.empty() ? "--help)" : " --help)");
   if (!unused.empty() && unused.front() == '-')
-    return place + unknown("option", unused.substr(0, unused.find('=')), option_names(command));
-  if (!unused.empty() && chosen.empty()) return unknown("command", unused, command_names(app));
-  if (chosen.empty()) return "a command is missing: " + joined(command_names(app)) + help;
+    return place + unknown("option", unused.substr(0, unused.find('=')), option_names(*command));
+  if (!unused.empty() && incomplete) return place + unknown("command", unused, command_names(*command));
+  if (incomplete) return place + "a command is missing: " + joined(command_names(*command)) + help;
   if (!unused.empty()) return place + "unexpected argument \"" + unused + "\"" + help;
   return place + error.what() + help;
 }
@@ -71,14 +76,17 @@ CLI::Validator positive_number() {
       "> 0");
 }
 
-CLI::Validator count_up_to(int most) {
+CLI::Validator count_from(int least, int most) {
+  const std::string range = std::to_string(least) + " to " + std::to_string(most);
   return CLI::Validator(
-      [most](const std::string& text) -> std::string {
+      [=](const std::string& text) -> std::string {
         int number = 0;
-        if (read(text, number) && number >= 0 && number <= most) return "";
-        return "must be an integer from 0 to " + std::to_string(most) + ", not \"" + text + "\"";
+        if (read(text, number) && number >= least && number <= most) return "";
+        return "must be an integer from " + range + ", not \"" + text + "\"";
       },
-      "0 to " + std::to_string(most));
+      range);
 }
+
+CLI::Validator count_up_to(int most) { return count_from(0, most); }
 
 }  // namespace mortise

@@ -12,6 +12,7 @@
 #include "mortise/cases/driver/render_run.hpp"
 #include "mortise/cases/driver/run_case.hpp"
 #include "mortise/cases/input/case_file.hpp"
+#include "mortise/cases/study/command.hpp"
 #include "mortise/cases/summary/provenance.hpp"
 #include "mortise/grids/core/error.hpp"
 
@@ -28,6 +29,7 @@ struct Arguments {
   std::vector<std::string> overrides;
   std::string field;
   RunOptions run;
+  std::function<int(const std::string& cases_root)> study;
 };
 
 /// Where the shipped cases are: beside the sources the program was built from, or MORTISE_CASES.
@@ -59,6 +61,10 @@ void add_run(CLI::App& app, Arguments& arguments) {
 
 int dispatch(CLI::App& app, const Arguments& arguments) {
   const Communicator comm;
+  if (app.got_subcommand("study")) {
+    if (comm.size() > 1) throw InputError("a study starts its own processes, one a core: run it without mpirun");
+    return arguments.study(cases_root());
+  }
   if (app.got_subcommand("list")) {
     if (comm.rank() == 0) list_options(arguments.what, cases_root());
     return 0;
@@ -103,6 +109,7 @@ int program(int argc, const char* const* argv) {
   add_case_command(app, "check", "read and validate a case, run nothing", arguments);
   app.add_subcommand("list", "list what there is to choose from")
       ->add_option("what", arguments.what, "cases, schemes, riemann, limiters, shapes, boundaries, initial, exact, pictures, keys");
+  add_study(app, arguments.study);
   CLI::App* render = app.add_subcommand("render", "make pictures from a finished run");
   render->add_option("directory", arguments.directory, "output directory of the run")->required();
   render->add_option("--field", arguments.field, "schlieren, pressure, velocity, mach, density, stress, grids")->default_val("schlieren");

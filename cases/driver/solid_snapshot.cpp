@@ -52,6 +52,12 @@ Point<2> node_displacement(const Cells& cells, int i, int j) {
   return count > 0 ? Point<2>(sum / count) : sum;
 }
 
+/// Mean of the four corners.
+Point<2> cell_center(const GridSnapshot& grid, const std::vector<Point<2>>& nodes, std::size_t cell) {
+  const auto n = static_cast<std::size_t>(grid.cells[0]), low = cell + cell / n, high = low + n + 1;
+  return 0.25 * (nodes[low] + nodes[low + 1] + nodes[high] + nodes[high + 1]);
+}
+
 /// The cell fields in the order they are written.
 constexpr std::array<const char*, 9> field_names = {"displacement_x", "displacement_y", "velocity_x",
                                                     "velocity_y",     "stress_xx",      "stress_xy",
@@ -86,7 +92,12 @@ GridSnapshot solid_snapshot(const SolidGrid& grid, const Material& material) {
     out.y.push_back(grid.nodes[k].y() + displacements[k].y());
   }
   for (const char* name : field_names) out.fields.emplace_back(name, std::vector<double>(out.cell_count(), 0.0));
+  out.fields.emplace_back("reference_x", std::vector<double>(out.cell_count(), 0.0));
+  out.fields.emplace_back("reference_y", std::vector<double>(out.cell_count(), 0.0));
   for (std::size_t c = 0; c < out.cell_count(); ++c) {
+    const Point<2> X = cell_center(out, grid.nodes, c);
+    out.fields[field_names.size()].second[c] = X.x();
+    out.fields[field_names.size() + 1].second[c] = X.y();
     if (grid.mask[c] == mask_hole) continue;
     const auto values = field_values(material, grid.states[c]);
     for (std::size_t f = 0; f < values.size(); ++f) out.fields[f].second[c] = values[f];

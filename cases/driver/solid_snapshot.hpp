@@ -27,7 +27,7 @@ struct SolidGrid {
 std::vector<Point<2>> node_displacements(const SolidGrid& grid, const Material& material);
 
 /// The grid in its present place with displacement_x, …, velocity_x, …, stress_xx, stress_xy, stress_yy (Cauchy
-/// stress), von_mises and jacobian.
+/// stress), von_mises, jacobian and reference_x, reference_y (the place X of the cell in the undeformed solid).
 GridSnapshot solid_snapshot(const SolidGrid& grid, const Material& material);
 
 /// Puts the nodes of layer 0 where the interface is: one node per cell (a closed curve, or one that repeats itself) or
