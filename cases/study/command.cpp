@@ -5,6 +5,7 @@
 #include "mortise/cases/driver/command_line_errors.hpp"
 #include "mortise/cases/study/convergence.hpp"
 #include "mortise/cases/study/cost.hpp"
+#include "mortise/cases/study/published.hpp"
 
 namespace mortise {
 namespace {
@@ -17,16 +18,23 @@ void add_common(CLI::App& command, StudyOptions& options) {
       ->type_name("KEY=VALUE")
       ->take_all()
       ->allow_extra_args(false);
-  command.add_option("--output", options.output, "directory to write to, and to resume from; default: output/<study>_<case>")->type_name("DIR");
-  command.add_option("--jobs", options.jobs, "runs at a time; default: one a core")->type_name("N")->check(count_from(1, 4096));
+  command
+      .add_option("--output", options.output,
+                  "directory to write to, and to resume from; default: output/<study>_<case>")
+      ->type_name("DIR");
+  command.add_option("--jobs", options.jobs, "runs at a time; default: one a core")
+      ->type_name("N")
+      ->check(count_from(1, 4096));
   command.add_flag("--quiet", options.quiet, "no progress");
 }
 
 template <class Options>
-std::shared_ptr<Options> add_kind(CLI::App& study, const char* name, const char* meaning, Run& run, int (*action)(Options), bool with_case = true) {
+std::shared_ptr<Options> add_kind(CLI::App& study, const char* name, const char* meaning, Run& run,
+                                  int (*action)(Options), bool with_case = true) {
   CLI::App* command = study.add_subcommand(name, meaning);
   auto options = std::make_shared<Options>();
-  if (with_case) command->add_option("case", options->case_name, "name of a shipped case, or path of a TOML file")->required();
+  if (with_case)
+    command->add_option("case", options->case_name, "name of a shipped case, or path of a TOML file")->required();
   add_common(*command, *options);
   command->callback([options, &run, action] {
     run = [options, action](const std::string& cases_root) {
@@ -38,24 +46,47 @@ std::shared_ptr<Options> add_kind(CLI::App& study, const char* name, const char*
 }
 
 void add_convergence(CLI::App& study, Run& run) {
-  const auto options = add_kind<ConvergenceOptions>(study, "convergence", "errors and orders over a sequence of resolutions", run, study_convergence);
+  const auto options = add_kind<ConvergenceOptions>(
+      study, "convergence", "errors and orders over a sequence of resolutions", run, study_convergence);
   CLI::App* command = study.get_subcommand("convergence");
-  command->add_option("--vary", options->vary, "key, doubled from the case's value on; or key=v1,v2,…")->capture_default_str();
-  command->add_option("--levels", options->levels, "how many resolutions")->capture_default_str()->check(count_from(2, 12));
-  command->add_option("--against", options->against, "exact (default where there is an exact solution), self")->check(CLI::IsMember({"exact", "self"}));
+  command->add_option("--vary", options->vary, "key, doubled from the case's value on; or key=v1,v2,…")
+      ->capture_default_str();
+  command->add_option("--levels", options->levels, "how many resolutions")
+      ->capture_default_str()
+      ->check(count_from(2, 12));
+  command->add_option("--against", options->against, "exact (default where there is an exact solution), self")
+      ->check(CLI::IsMember({"exact", "self"}));
 }
 
 void add_cost(CLI::App& study, Run& run) {
   const auto options = add_kind<CostOptions>(study, "cost", "run time against error for every scheme", run, study_cost);
   CLI::App* command = study.get_subcommand("cost");
-  command->add_option("--vary", options->vary, "key, doubled from the case's value on; or key=v1,v2,…")->capture_default_str();
-  command->add_option("--levels", options->levels, "how many resolutions")->capture_default_str()->check(count_from(1, 12));
-  command->add_option("--schemes", options->schemes, "a,b,c, with variants as projection+substeps, traditional+lagged; default: all that can run the scene");
+  command->add_option("--vary", options->vary, "key, doubled from the case's value on; or key=v1,v2,…")
+      ->capture_default_str();
+  command->add_option("--levels", options->levels, "how many resolutions")
+      ->capture_default_str()
+      ->check(count_from(1, 12));
+  command->add_option(
+      "--schemes", options->schemes,
+      "a,b,c, with variants as projection+substeps, traditional+lagged; default: all that can run the scene");
   command->add_option("--limiters", options->limiters, "a,b,c of the gas; default: the case's");
   command->add_option("--cfls", options->cfls, "a,b,c; default: the case's");
-  command->add_option("--repeats", options->repeats, "runs of each, interleaved; the median counts")->capture_default_str()->check(count_from(1, 99));
-  command->add_option("--against", options->against, "exact (default where there is an exact solution), self")->check(CLI::IsMember({"exact", "self"}));
-  command->add_option("--quantity", options->quantity, "whose L1 error counts; default: the geometric mean of all, relative to the first run's");
+  command->add_option("--repeats", options->repeats, "runs of each, interleaved; the median counts")
+      ->capture_default_str()
+      ->check(count_from(1, 99));
+  command->add_option("--against", options->against, "exact (default where there is an exact solution), self")
+      ->check(CLI::IsMember({"exact", "self"}));
+  command->add_option("--quantity", options->quantity,
+                      "whose L1 error counts; default: the geometric mean of all, relative to the first run's");
+}
+
+void add_published(CLI::App& study, Run& run) {
+  const auto options =
+      add_kind<PublishedOptions>(study, "published", "published numbers beside ours", run, study_published, false);
+  study.get_subcommand("published")
+      ->add_option("--only", options->only,
+                   "a,b of elastic_piston, superseismic_shock, cylinder_in_solid, rigid_piston, massless_ellipse, "
+                   "solid_modes; default: all");
 }
 
 }  // namespace
@@ -65,6 +96,7 @@ void add_study(CLI::App& app, Run& run) {
   study->require_subcommand(1);
   add_convergence(*study, run);
   add_cost(*study, run);
+  add_published(*study, run);
 }
 
 }  // namespace mortise

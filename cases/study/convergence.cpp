@@ -18,7 +18,8 @@ struct Norm {
   const char* heading;
   double ErrorNorms::*value;
 };
-constexpr std::array<Norm, 3> norms = {{{"l1", "L1", &ErrorNorms::l1}, {"l2", "L2", &ErrorNorms::l2}, {"max", "max", &ErrorNorms::max}}};
+constexpr std::array<Norm, 3> norms = {
+    {{"l1", "L1", &ErrorNorms::l1}, {"l2", "L2", &ErrorNorms::l2}, {"max", "max", &ErrorNorms::max}}};
 
 double number_of(const std::string& text, const std::string& place) {
   double value = 0;
@@ -115,7 +116,8 @@ Table table_of(const std::vector<ErrorSequence>& sequences, const Variation& var
   const std::vector<double> h = spacings(vary);
   for (const ErrorSequence& sequence : sequences) {
     const std::vector<double> e = values_of(sequence, norm.value);
-    if (!principal(sequence.quantity) || std::all_of(e.begin(), e.end(), [](double error) { return error == 0; })) continue;
+    if (!principal(sequence.quantity) || std::all_of(e.begin(), e.end(), [](double error) { return error == 0; }))
+      continue;
     std::vector<TableValue> row = {quantity_heading(sequence.quantity)};
     for (std::size_t k = 0; k < count; ++k) {
       if (k > 0) row.push_back(std::log(e[k - 1] / e[k]) / std::log(h[k - 1] / h[k]));
@@ -130,11 +132,13 @@ Table table_of(const std::vector<ErrorSequence>& sequences, const Variation& var
 
 Table values_table(const std::vector<ErrorSequence>& sequences, const Variation& vary) {
   Table table;
-  table.columns = {{vary.key, "", ""}, {"spacing", "", ""}, {"quantity", "", ""}, {"l1", "", ""}, {"l2", "", ""}, {"max", "", ""}};
+  table.columns = {{vary.key, "", ""}, {"spacing", "", ""}, {"quantity", "", ""},
+                   {"l1", "", ""},     {"l2", "", ""},      {"max", "", ""}};
   const std::vector<double> h = spacings(vary);
   for (const ErrorSequence& sequence : sequences)
     for (std::size_t k = 0; k < sequence.errors.size(); ++k)
-      table.rows.push_back({vary.values[k], h[k], sequence.quantity, sequence.errors[k].l1, sequence.errors[k].l2, sequence.errors[k].max});
+      table.rows.push_back({vary.values[k], h[k], sequence.quantity, sequence.errors[k].l1, sequence.errors[k].l2,
+                            sequence.errors[k].max});
   return table;
 }
 
@@ -144,11 +148,19 @@ nlohmann::ordered_json data_of(const std::vector<ErrorSequence>& sequences, cons
   const std::vector<double> h = spacings(vary);
   Json data = {{"kind", "convergence"}, {"case", name}, {"against", self ? "self" : "exact"}, {"vary", vary.key}};
   for (std::size_t k = 0; k < results.size(); ++k)
-    data["levels"].push_back({{"value", vary.values[k]}, {"spacing", h[k]}, {"status", results[k].status}, {"reason", results[k].reason},
-                              {"time", results[k].time}, {"steps", results[k].steps}, {"seconds", results[k].seconds}, {"cell_updates", results[k].cell_updates}});
+    data["levels"].push_back({{"value", vary.values[k]},
+                              {"spacing", h[k]},
+                              {"status", results[k].status},
+                              {"reason", results[k].reason},
+                              {"time", results[k].time},
+                              {"steps", results[k].steps},
+                              {"seconds", results[k].seconds},
+                              {"cell_updates", results[k].cell_updates}});
   data["quantities"] = Json::array();
   for (const ErrorSequence& sequence : sequences) {
-    Json entry = {{"name", sequence.quantity}, {"heading", quantity_heading(sequence.quantity)}, {"principal", principal(sequence.quantity)}};
+    Json entry = {{"name", sequence.quantity},
+                  {"heading", quantity_heading(sequence.quantity)},
+                  {"principal", principal(sequence.quantity)}};
     for (const Norm& norm : norms) {
       const std::vector<double> e = values_of(sequence, norm.value);
       entry[norm.key] = e;
@@ -192,11 +204,17 @@ Variation variation(const std::string& text, int levels, const CaseDescription& 
 }
 
 std::string quantity_heading(const std::string& quantity) {
-  static const std::map<std::string, std::string> headings = {
-      {"fluid.density", "fluid ρ"}, {"fluid.velocity_x", "fluid u"}, {"fluid.velocity_y", "fluid v"},
-      {"fluid.pressure", "fluid p"}, {"fluid.temperature", "fluid T"}, {"solid.displacement", "solid displacement"},
-      {"solid.velocity", "solid velocity"}, {"solid.stress", "solid stress"}, {"interface.position", "interface position"},
-      {"interface.velocity", "interface velocity"}, {"interface.pressure", "interface pressure"}};
+  static const std::map<std::string, std::string> headings = {{"fluid.density", "fluid ρ"},
+                                                              {"fluid.velocity_x", "fluid u"},
+                                                              {"fluid.velocity_y", "fluid v"},
+                                                              {"fluid.pressure", "fluid p"},
+                                                              {"fluid.temperature", "fluid T"},
+                                                              {"solid.displacement", "solid displacement"},
+                                                              {"solid.velocity", "solid velocity"},
+                                                              {"solid.stress", "solid stress"},
+                                                              {"interface.position", "interface position"},
+                                                              {"interface.velocity", "interface velocity"},
+                                                              {"interface.pressure", "interface pressure"}};
   const auto found = headings.find(quantity);
   return found == headings.end() ? quantity : found->second;
 }
@@ -210,7 +228,8 @@ int study_convergence(ConvergenceOptions options) {
     throw InputError("--against exact: the case \"" + base.name + "\" has no exact solution; use --against self");
   const Variation vary = variation(options.vary, options.levels, base);
   if (vary.values.size() < (self ? 3u : 2u))
-    throw InputError(std::string("--levels: ") + (self ? "self-convergence needs three levels at least" : "an order needs two levels at least"));
+    throw InputError(std::string("--levels: ") +
+                     (self ? "self-convergence needs three levels at least" : "an order needs two levels at least"));
   if (options.output.empty()) options.output = "output/convergence_" + base.name;
   const std::vector<Member> members = members_of(options, vary, self);
   check_scene(check_members(members, options.cases_root).front());

@@ -23,8 +23,8 @@ struct Plan {
   bool self = false;
 };
 
-Member member_of(const CostOptions& options, const SchemeVariant& scheme, const std::string& limiter, const std::string& cfl,
-                 const std::string& key, double value) {
+Member member_of(const CostOptions& options, const SchemeVariant& scheme, const std::string& limiter,
+                 const std::string& cfl, const std::string& key, double value) {
   Member member;
   member.case_name = options.case_name;
   member.overrides = options.overrides;
@@ -40,9 +40,12 @@ Member member_of(const CostOptions& options, const SchemeVariant& scheme, const 
 Plan plan_of(const CostOptions& options, const CaseDescription& base, const Variation& vary) {
   Plan plan;
   plan.self = options.against == "self";
-  const std::vector<SchemeVariant> schemes = scheme_variants(options.schemes.empty() ? default_schemes(base) : options.schemes, base);
-  const std::vector<std::string> limiters = options.limiters.empty() ? std::vector<std::string>{base.limiter} : split_list(options.limiters, "--limiters");
-  const std::vector<std::string> cfls = options.cfls.empty() ? std::vector<std::string>{shown(base.cfl, "%g")} : split_list(options.cfls, "--cfls");
+  const std::vector<SchemeVariant> schemes =
+      scheme_variants(options.schemes.empty() ? default_schemes(base) : options.schemes, base);
+  const std::vector<std::string> limiters =
+      options.limiters.empty() ? std::vector<std::string>{base.limiter} : split_list(options.limiters, "--limiters");
+  const std::vector<std::string> cfls =
+      options.cfls.empty() ? std::vector<std::string>{shown(base.cfl, "%g")} : split_list(options.cfls, "--cfls");
   std::vector<Member> once;
   for (const SchemeVariant& scheme : schemes)
     for (const std::string& limiter : limiters)
@@ -62,7 +65,8 @@ Plan plan_of(const CostOptions& options, const CaseDescription& base, const Vari
       plan.members.push_back(member);
     }
   if (plan.self) {
-    Member reference = member_of(options, schemes.front(), limiters.front(), cfls.front(), vary.key, 2 * vary.values.back());
+    Member reference =
+        member_of(options, schemes.front(), limiters.front(), cfls.front(), vary.key, 2 * vary.values.back());
     reference.name = "reference_" + reference.name;
     reference.keep_fields = true;
     reference.weight = std::pow(2 * vary.values.back() / vary.values.front(), 3);
@@ -79,7 +83,8 @@ bool counts(const std::string& quantity, const std::string& chosen) {
 }
 
 /// The geometric mean over the quantities of L1 errors, each relative to that of the first point that finished.
-double combined(const std::map<std::string, ErrorNorms>& errors, const std::map<std::string, ErrorNorms>& unit, const std::string& chosen) {
+double combined(const std::map<std::string, ErrorNorms>& errors, const std::map<std::string, ErrorNorms>& unit,
+                const std::string& chosen) {
   double sum = 0;
   int count = 0;
   for (const auto& [quantity, norms] : errors) {
@@ -135,17 +140,27 @@ std::set<std::string> measure(Plan& plan, const std::vector<MemberResult>& resul
 }
 
 std::string configuration(const CostPoint& point, const CostOptions& options) {
-  return point.scheme + (options.limiters.empty() ? "" : ", " + point.limiter) + (options.cfls.empty() ? "" : ", CFL " + point.cfl);
+  return point.scheme + (options.limiters.empty() ? "" : ", " + point.limiter) +
+         (options.cfls.empty() ? "" : ", CFL " + point.cfl);
 }
 
 Table points_table(const Plan& plan, const Variation& vary, const std::string& name) {
   Table table;
   table.title = name + ": run time against error";
-  table.columns = {{"scheme", "scheme", ""}, {"limiter", "limiter", ""}, {"cfl", "CFL", ""}, {vary.key, vary.key, "%g"}, {"status", "status", ""},
-                   {"error", "error", "%.3e"}, {"seconds", "seconds", "%.3g"}, {"least_seconds", "least", "%.3g"}, {"most_seconds", "most", "%.3g"},
-                   {"cell_updates", "cell updates", "%.3e"}, {"pareto", "Pareto front", ""}};
+  table.columns = {{"scheme", "scheme", ""},
+                   {"limiter", "limiter", ""},
+                   {"cfl", "CFL", ""},
+                   {vary.key, vary.key, "%g"},
+                   {"status", "status", ""},
+                   {"error", "error", "%.3e"},
+                   {"seconds", "seconds", "%.3g"},
+                   {"least_seconds", "least", "%.3g"},
+                   {"most_seconds", "most", "%.3g"},
+                   {"cell_updates", "cell updates", "%.3e"},
+                   {"pareto", "Pareto front", ""}};
   for (const CostPoint& p : plan.points)
-    table.rows.push_back({p.scheme, p.limiter, p.cfl, p.value, p.status, p.error, p.seconds, p.least, p.most, p.cell_updates, std::string(p.on_front ? "yes" : "")});
+    table.rows.push_back({p.scheme, p.limiter, p.cfl, p.value, p.status, p.error, p.seconds, p.least, p.most,
+                          p.cell_updates, std::string(p.on_front ? "yes" : "")});
   return table;
 }
 
@@ -153,7 +168,8 @@ Table points_table(const Plan& plan, const Variation& vary, const std::string& n
 std::vector<std::vector<CostPoint>> curves_of(const Plan& plan, const CostOptions& options) {
   std::vector<std::vector<CostPoint>> curves;
   for (const CostPoint& point : plan.points) {
-    if (curves.empty() || configuration(curves.back().front(), options) != configuration(point, options)) curves.emplace_back();
+    if (curves.empty() || configuration(curves.back().front(), options) != configuration(point, options))
+      curves.emplace_back();
     curves.back().push_back(point);
   }
   return curves;
@@ -183,13 +199,27 @@ Table equal_error_table(const Plan& plan, const CostOptions& options) {
   return table;
 }
 
-nlohmann::ordered_json data_of(const Plan& plan, const CostOptions& options, const Variation& vary, const std::set<std::string>& quantities, const std::string& name) {
-  nlohmann::ordered_json data = {{"kind", "cost"}, {"case", name}, {"against", plan.self ? "self" : "exact"}, {"vary", vary.key},
-                                 {"repeats", options.repeats}, {"quantities", quantities}};
+nlohmann::ordered_json data_of(const Plan& plan, const CostOptions& options, const Variation& vary,
+                               const std::set<std::string>& quantities, const std::string& name) {
+  nlohmann::ordered_json data = {{"kind", "cost"},
+                                 {"case", name},
+                                 {"against", plan.self ? "self" : "exact"},
+                                 {"vary", vary.key},
+                                 {"repeats", options.repeats},
+                                 {"quantities", quantities}};
   for (const CostPoint& p : plan.points)
-    data["points"].push_back({{"configuration", configuration(p, options)}, {"scheme", p.scheme}, {"limiter", p.limiter}, {"cfl", p.cfl}, {"value", p.value},
-                              {"status", p.status}, {"error", p.error}, {"seconds", p.seconds}, {"least_seconds", p.least}, {"most_seconds", p.most},
-                              {"cell_updates", p.cell_updates}, {"pareto", p.on_front}});
+    data["points"].push_back({{"configuration", configuration(p, options)},
+                              {"scheme", p.scheme},
+                              {"limiter", p.limiter},
+                              {"cfl", p.cfl},
+                              {"value", p.value},
+                              {"status", p.status},
+                              {"error", p.error},
+                              {"seconds", p.seconds},
+                              {"least_seconds", p.least},
+                              {"most_seconds", p.most},
+                              {"cell_updates", p.cell_updates},
+                              {"pareto", p.on_front}});
   return data;
 }
 
@@ -199,7 +229,9 @@ void mark_pareto_front(std::vector<CostPoint>& points) {
   for (CostPoint& p : points) {
     p.on_front = p.status == "finished" && std::isfinite(p.error);
     for (const CostPoint& q : points)
-      if (q.status == "finished" && q.error <= p.error && q.seconds <= p.seconds && (q.error < p.error || q.seconds < p.seconds)) p.on_front = false;
+      if (q.status == "finished" && q.error <= p.error && q.seconds <= p.seconds &&
+          (q.error < p.error || q.seconds < p.seconds))
+        p.on_front = false;
   }
 }
 

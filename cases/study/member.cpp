@@ -37,8 +37,8 @@ Task task_of(const Member& member, const CaseDescription& description, const std
   Task task;
   task.name = member.name;
   task.weight = member.weight;
-  task.arguments = {"run", member.case_name, "--quiet", "--overwrite", "--output", directory,
-                    "--frames", member.keep_fields ? "1" : "0"};
+  task.arguments = {"run",      member.case_name, "--quiet",  "--overwrite",
+                    "--output", directory,        "--frames", member.keep_fields ? "1" : "0"};
   for (const std::string& setting : member.overrides) task.arguments.insert(task.arguments.end(), {"--set", setting});
   task.arguments.insert(task.arguments.end(), {"--set", "output.checkpoint_interval=0"});
   task.identity = description.text;
@@ -50,13 +50,15 @@ Task task_of(const Member& member, const CaseDescription& description, const std
 
 std::vector<CaseDescription> check_members(const std::vector<Member>& members, const std::string& cases_root) {
   std::vector<CaseDescription> descriptions;
-  for (const Member& member : members) descriptions.push_back(read_case(member.case_name, member.overrides, cases_root));
+  for (const Member& member : members)
+    descriptions.push_back(read_case(member.case_name, member.overrides, cases_root));
   return descriptions;
 }
 
 void check_scene(const CaseDescription& description) { check_case_runs(description, Communicator()); }
 
-std::vector<MemberResult> run_members(const std::vector<Member>& members, const StudyOptions& options, bool interleave) {
+std::vector<MemberResult> run_members(const std::vector<Member>& members, const StudyOptions& options,
+                                      bool interleave) {
   const std::vector<CaseDescription> descriptions = check_members(members, options.cases_root);
   const std::string folder = options.output + "/members";
   std::vector<Task> tasks;

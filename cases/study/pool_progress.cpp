@@ -22,7 +22,8 @@ std::string PoolProgress::line(std::size_t running) const {
   char left[32] = "?";
   if (part > 0) std::snprintf(left, sizeof left, "%.0f s", elapsed * (1 - part) / part);
   char text[160];
-  std::snprintf(text, sizeof text, "[%s] %zu/%zu members, %zu running  eta %s", bar.c_str(), done_, count_, running, left);
+  std::snprintf(text, sizeof text, "[%s] %zu/%zu members, %zu running  eta %s", bar.c_str(), done_, count_, running,
+                left);
   return text;
 }
 

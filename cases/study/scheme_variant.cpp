@@ -17,7 +17,8 @@ const Registry<const char*>& variants() {
 }
 
 bool has_interfaces(const CaseDescription& scene) {
-  return scene.has_gas && std::any_of(scene.solids.begin(), scene.solids.end(), [](const SolidDescription& s) { return s.wet(); });
+  return scene.has_gas &&
+         std::any_of(scene.solids.begin(), scene.solids.end(), [](const SolidDescription& s) { return s.wet(); });
 }
 
 }  // namespace
@@ -42,7 +43,8 @@ SchemeVariant scheme_variant(const std::string& name, const CaseDescription& sce
   if (std::count(known.begin(), known.end(), scheme) == 0) {
     const std::string guess = nearest(scheme, known);
     throw InputError("--schemes " + name + ": the scheme \"" + scheme + "\" cannot run this scene" +
-                     (guess.empty() ? "" : ", did you mean \"" + guess + "\"?") + " (those that can: " + joined(known) + ")");
+                     (guess.empty() ? "" : ", did you mean \"" + guess + "\"?") + " (those that can: " + joined(known) +
+                     ")");
   }
   variant.overrides.push_back("scheme=" + scheme);
   if (interfaces) variant.overrides.push_back("coupling.substeps=false");
@@ -50,7 +52,8 @@ SchemeVariant scheme_variant(const std::string& name, const CaseDescription& sce
   if (!interfaces) throw InputError("--schemes " + name + ": the schemes of rigid bodies have no variants");
   std::string rest = name.substr(plus + 1);
   std::replace(rest.begin(), rest.end(), '+', ',');
-  for (const std::string& word : split_list(rest, "--schemes " + name + ":")) variant.overrides.push_back(variants().at(word));
+  for (const std::string& word : split_list(rest, "--schemes " + name + ":"))
+    variant.overrides.push_back(variants().at(word));
   return variant;
 }
 

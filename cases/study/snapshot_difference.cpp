@@ -32,12 +32,18 @@ Values solid_errors(const Values& a, const Values& b) {
 }
 
 const Kind kinds[] = {
-    {false, {"density", "velocity_x", "pressure"},
-     {"fluid.density", "fluid.velocity_x", "fluid.pressure", "fluid.temperature"}, fluid_errors},
-    {false, {"density", "velocity_x", "velocity_y", "pressure"},
-     {"fluid.density", "fluid.velocity_x", "fluid.velocity_y", "fluid.pressure", "fluid.temperature"}, fluid_errors},
-    {true, {"displacement_x", "displacement_y", "velocity_x", "velocity_y", "stress_xx", "stress_xy", "stress_yy"},
-     {"solid.displacement", "solid.velocity", "solid.stress"}, solid_errors}};
+    {false,
+     {"density", "velocity_x", "pressure"},
+     {"fluid.density", "fluid.velocity_x", "fluid.pressure", "fluid.temperature"},
+     fluid_errors},
+    {false,
+     {"density", "velocity_x", "velocity_y", "pressure"},
+     {"fluid.density", "fluid.velocity_x", "fluid.velocity_y", "fluid.pressure", "fluid.temperature"},
+     fluid_errors},
+    {true,
+     {"displacement_x", "displacement_y", "velocity_x", "velocity_y", "stress_xx", "stress_xy", "stress_yy"},
+     {"solid.displacement", "solid.velocity", "solid.stress"},
+     solid_errors}};
 
 /// Of a plane snapshot the kind with both velocities, of a line the other one.
 bool applies(const Kind& kind, const Snapshot& snapshot) {

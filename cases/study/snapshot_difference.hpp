@@ -11,7 +11,8 @@ namespace mortise {
 
 /// Norms of coarse − fine over the active cells of `coarse`: fluid.density, fluid.velocity_x, fluid.velocity_y,
 /// fluid.pressure, fluid.temperature (T = p/ρ) where they are now; solid.displacement, solid.velocity, solid.stress
-/// (length of the difference; Cauchy stress) at the same material points. l1 and l2 are means weighted with present areas.
+/// (length of the difference; Cauchy stress) at the same material points. l1 and l2 are means weighted with present
+/// areas.
 ///
 /// The mean over a coarse cell is compared with that of the fine solution, taken at four points of it from a quadratic
 /// that takes the value of the nearest fine cell and fits its neighbours, limited to the range of their values: exact

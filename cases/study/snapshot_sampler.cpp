@@ -24,7 +24,8 @@ Point<2> centroid(const GridSnapshot& grid, int i, int j) {
 
 std::int64_t bucket(std::int64_t i, std::int64_t j) { return i * 4294967291LL + j; }
 std::int64_t bucket_of(const Point<2>& x, double width) {
-  return bucket(static_cast<std::int64_t>(std::floor(x.x() / width)), static_cast<std::int64_t>(std::floor(x.y() / width)));
+  return bucket(static_cast<std::int64_t>(std::floor(x.x() / width)),
+                static_cast<std::int64_t>(std::floor(x.y() / width)));
 }
 
 /// The first of three neighbouring cells around i, inside the grid.
@@ -33,7 +34,8 @@ int window(int i, int cells) { return std::clamp(i - 1, 0, std::max(0, cells - 3
 }  // namespace
 
 double cell_area(const GridSnapshot& grid, int i, int j) {
-  return 0.5 * std::abs(cross(node(grid, i + 1, j + 1) - node(grid, i, j), node(grid, i, j + 1) - node(grid, i + 1, j)));
+  return 0.5 *
+         std::abs(cross(node(grid, i + 1, j + 1) - node(grid, i, j), node(grid, i, j + 1) - node(grid, i + 1, j)));
 }
 
 std::vector<Point<2>> cell_places(const GridSnapshot& grid) {

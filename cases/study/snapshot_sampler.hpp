@@ -30,7 +30,7 @@ class SnapshotSampler {
     const GridSnapshot* grid;
     std::vector<Point<2>> places;
     std::vector<const std::vector<double>*> fields;
-    double width = 0;  // of its largest cell
+    double width = 0;                                                    // of its largest cell
     std::unordered_map<std::int64_t, std::vector<std::size_t>> buckets;  // active cells by place
   };
   std::optional<std::size_t> nearest(const Grid& grid, const Point<2>& x) const;

@@ -53,7 +53,8 @@ void write_study(const StudyFiles& files, const std::string& directory, const st
   std::fflush(stdout);
   const std::string script = cases_root + "/study/plot.py";
   if (!plot(script, directory))
-    std::fprintf(stderr, "mortise: no picture of this study: python3 with matplotlib could not make one, see %s/plot.log\n",
+    std::fprintf(stderr,
+                 "mortise: no picture of this study: python3 with matplotlib could not make one, see %s/plot.log\n",
                  directory.c_str());
   else
     std::printf("picture   %s/study.png\n", directory.c_str());

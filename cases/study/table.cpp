@@ -26,12 +26,31 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 }
 
 std::string latex_text(std::string text) {
-  static const std::pair<const char*, const char*> translations[] = {
-      {"\\", "\\textbackslash{}"}, {"_", "\\_"},     {"%", "\\%"},       {"&", "\\&"},          {"#", "\\#"},
-      {"ρ", "$\\rho$"},            {"σ", "$\\sigma$"}, {"λ", "$\\lambda$"}, {"μ", "$\\mu$"},      {"Δ", "$\\Delta$"},
-      {"γ", "$\\gamma$"},          {"ω", "$\\omega$"}, {"×", "$\\times$"},  {"→", "$\\to$"},      {"∞", "$\\infty$"},
-      {"≤", "$\\le$"},             {"≥", "$\\ge$"},    {"·", "$\\cdot$"},   {"ζ", "$\\zeta$"},    {"–", "--"},
-      {"²", "$^2$"},               {"₁", "$_1$"},      {"±", "$\\pm$"},     {"⁻", "$^-$"},        {"°", "$^\\circ$"}};
+  static const std::pair<const char*, const char*> translations[] = {{"\\", "\\textbackslash{}"},
+                                                                     {"_", "\\_"},
+                                                                     {"%", "\\%"},
+                                                                     {"&", "\\&"},
+                                                                     {"#", "\\#"},
+                                                                     {"ρ", "$\\rho$"},
+                                                                     {"σ", "$\\sigma$"},
+                                                                     {"λ", "$\\lambda$"},
+                                                                     {"μ", "$\\mu$"},
+                                                                     {"Δ", "$\\Delta$"},
+                                                                     {"γ", "$\\gamma$"},
+                                                                     {"ω", "$\\omega$"},
+                                                                     {"×", "$\\times$"},
+                                                                     {"→", "$\\to$"},
+                                                                     {"∞", "$\\infty$"},
+                                                                     {"≤", "$\\le$"},
+                                                                     {"≥", "$\\ge$"},
+                                                                     {"·", "$\\cdot$"},
+                                                                     {"ζ", "$\\zeta$"},
+                                                                     {"–", "--"},
+                                                                     {"²", "$^2$"},
+                                                                     {"₁", "$_1$"},
+                                                                     {"±", "$\\pm$"},
+                                                                     {"⁻", "$^-$"},
+                                                                     {"°", "$^\\circ$"}};
   for (const auto& [from, to] : translations) text = replaced(text, from, to);
   return text;
 }

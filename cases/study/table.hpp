@@ -12,8 +12,8 @@ namespace mortise {
 using TableValue = std::variant<std::monostate, std::string, std::int64_t, double>;
 
 struct TableColumn {
-  std::string key;      // in CSV: "fluid.density_l1"
-  std::string heading;  // for people: "ρ L1"; also in LaTeX, with Greek letters and arrows translated
+  std::string key;              // in CSV: "fluid.density_l1"
+  std::string heading;          // for people: "ρ L1"; also in LaTeX, with Greek letters and arrows translated
   std::string format = "%.3g";  // printf format of numbers
 };
 

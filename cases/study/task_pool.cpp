@@ -51,7 +51,8 @@ std::string last_line(const std::string& path) {
 /// Records of what has ended.
 class Records {
  public:
-  explicit Records(const PoolOptions& options) : directory_(options.directory), build_(build_identity(options.program)) {
+  explicit Records(const PoolOptions& options)
+      : directory_(options.directory), build_(build_identity(options.program)) {
     make_folder(directory_);
   }
 
@@ -77,9 +78,9 @@ class Records {
   }
 
   void keep(const Task& task, const TaskOutcome& outcome) const {
-    const Json record = {{"identity", task.identity},         {"build", build_},
-                         {"arguments", task.arguments},       {"status", outcome.status},
-                         {"timed_out", outcome.timed_out},    {"seconds", outcome.seconds},
+    const Json record = {{"identity", task.identity},      {"build", build_},
+                         {"arguments", task.arguments},    {"status", outcome.status},
+                         {"timed_out", outcome.timed_out}, {"seconds", outcome.seconds},
                          {"message", outcome.message}};
     write_file(file(task), record.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
   }

@@ -26,12 +26,12 @@ struct TaskOutcome {
 };
 
 struct PoolOptions {
-  std::string directory;  // of the records, made if it is not there: NAME.json, NAME.log
-  int jobs = 1;           // processes at a time, ≥ 1
-  bool quiet = false;     // no progress
-  bool interleave = false;  // in the order given; false: the most expensive first
+  std::string directory;                   // of the records, made if it is not there: NAME.json, NAME.log
+  int jobs = 1;                            // processes at a time, ≥ 1
+  bool quiet = false;                      // no progress
+  bool interleave = false;                 // in the order given; false: the most expensive first
   std::string program = "/proc/self/exe";  // to run; this one
-  double budget = 0;      // seconds after which no further task is started; 0: none
+  double budget = 0;                       // seconds after which no further task is started; 0: none
 };
 
 /// Runs what has no record yet and waits for it; outcomes in the order of the tasks, those of tasks the budget did not

@@ -43,7 +43,8 @@ TEST_F(Study, ConvergenceOfTheElasticPistonIsSecondOrder) {
 }
 
 TEST_F(Study, SelfConvergenceFindsTheSameOrder) {
-  const Outcome outcome = study({"convergence", "elastic_piston", "--levels", "4", "--against", "self", "--set", "grid.factor=2"});
+  const Outcome outcome =
+      study({"convergence", "elastic_piston", "--levels", "4", "--against", "self", "--set", "grid.factor=2"});
   ASSERT_EQ(outcome.status, 0) << outcome.errors;
   const nlohmann::json all = data();
   const auto density = std::find_if(all["quantities"].begin(), all["quantities"].end(),
@@ -71,8 +72,8 @@ TEST_F(Study, ThatWasKilledGoesOnWithWhatItHad) {
 }
 
 TEST_F(Study, CostMarksTheParetoFront) {
-  const Outcome outcome = study({"cost", "elastic_piston", "--levels", "2", "--repeats", "2", "--set", "grid.factor=2", "--set",
-                                 "solid.scale=0.5", "--schemes", "projection,traditional"});
+  const Outcome outcome = study({"cost", "elastic_piston", "--levels", "2", "--repeats", "2", "--set", "grid.factor=2",
+                                 "--set", "solid.scale=0.5", "--schemes", "projection,traditional"});
   ASSERT_EQ(outcome.status, 0) << outcome.errors;
   const nlohmann::json points = nlohmann::json::parse(read_file(folder / "study/study.json")).at("points");
   ASSERT_EQ(points.size(), 4u);
@@ -88,6 +89,16 @@ TEST_F(Study, CostMarksTheParetoFront) {
   EXPECT_GE(on_front, 1);
 }
 
+TEST_F(Study, PublishedNumbersStandBesideOurs) {
+  const Outcome outcome = study({"published", "--only", "rigid_piston"});
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  const std::string line = "released, F = 16, L1: ρ,6.2e-05,";
+  const std::string table = read_file(folder / "study/study.csv");
+  const std::size_t found = table.find(line);
+  ASSERT_NE(found, std::string::npos) << table;
+  EXPECT_NEAR(std::stod(table.substr(found + line.size())), 2.0e-5, 0.3e-5);
+}
+
 TEST_F(Study, BadInputIsRefusedBeforeAnythingRuns) {
   expect_refused({"convergence", "elastic_piston", "--vary", "grid.facto=4,8"}, "did you mean \"factor\"?");
   expect_refused({"convergence", "elastic_piston", "--vary", "time.cfl=0.5,2"}, "(0, 1]");
@@ -97,6 +108,7 @@ TEST_F(Study, BadInputIsRefusedBeforeAnythingRuns) {
   expect_refused({"cost", "elastic_piston", "--schemes", "rigid"}, "cannot run this scene");
   expect_refused({"cost", "elastic_piston", "--schemes", "projetion"}, "did you mean \"projection\"?");
   expect_refused({"cost", "sod"}, "couples nothing");
+  expect_refused({"published", "--only", "rigid_pistn"}, "did you mean \"rigid_piston\"?");
   expect_refused({"convergance", "sod"}, "did you mean \"convergence\"?");
 }
 

@@ -33,7 +33,8 @@ Snapshot ring(int n, Function function, bool solid = false) {
       values.push_back(function(x.x(), x.y()));
     }
   if (solid) {
-    for (const char* name : {"displacement_x", "displacement_y", "velocity_x", "velocity_y", "stress_xx", "stress_xy", "stress_yy"})
+    for (const char* name :
+         {"displacement_x", "displacement_y", "velocity_x", "velocity_y", "stress_xx", "stress_xy", "stress_yy"})
       grid.fields.emplace_back(name, values);
     grid.fields.emplace_back("reference_x", X);
     grid.fields.emplace_back("reference_y", Y);
@@ -72,7 +73,8 @@ TEST(SnapshotDifference, IsTheDifferenceOfTheFunctions) {
   EXPECT_NEAR(norms.at("fluid.temperature").l1, 0.1, 1e-3);
   EXPECT_EQ(norms.at("fluid.density").max, 0);
   // ∫ x dA / A over the ring: (7/3) / (3π/4)
-  EXPECT_NEAR(snapshot_difference(ring(32, wave), ring(64, more)).at("fluid.velocity_x").l1, 28 / (9 * std::numbers::pi), 2e-3);
+  EXPECT_NEAR(snapshot_difference(ring(32, wave), ring(64, more)).at("fluid.velocity_x").l1,
+              28 / (9 * std::numbers::pi), 2e-3);
 }
 
 TEST(SnapshotDifference, OfSolidsIsThatOfTheSameMaterialPoint) {

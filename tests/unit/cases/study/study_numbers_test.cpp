@@ -38,7 +38,8 @@ TEST(Variation, DoublesTheCasesOwnValueOrTakesAList) {
 }
 
 TEST(ParetoFront, HoldsWhatNothingBeatsInBoth) {
-  std::vector<CostPoint> points = {point(1, 1), point(2, 0.5), point(3, 0.6), point(0.5, 0.1, "unstable"), point(4, NAN)};
+  std::vector<CostPoint> points = {point(1, 1), point(2, 0.5), point(3, 0.6), point(0.5, 0.1, "unstable"),
+                                   point(4, NAN)};
   mark_pareto_front(points);
   std::vector<bool> front;
   for (const CostPoint& p : points) front.push_back(p.on_front);
@@ -55,8 +56,9 @@ TEST(SecondsForEqualError, AreInterpolatedInLogarithms) {
 
 TEST(SchemeVariants, SaySubstepsAndLagging) {
   const CaseDescription piston = shipped("elastic_piston");
-  EXPECT_EQ(scheme_variant("traditional+lagged", piston).overrides,
-            (std::vector<std::string>{"scheme=traditional", "coupling.substeps=false", "coupling.wall_velocity=lagged"}));
+  EXPECT_EQ(
+      scheme_variant("traditional+lagged", piston).overrides,
+      (std::vector<std::string>{"scheme=traditional", "coupling.substeps=false", "coupling.wall_velocity=lagged"}));
   EXPECT_EQ(scheme_variant("projection+substeps+linear", piston).overrides.size(), 4u);
   EXPECT_EQ(scheme_variant("rigid", shipped("rigid_piston")).overrides, (std::vector<std::string>{"scheme=rigid"}));
 }

@@ -11,7 +11,8 @@ Table example() {
   Table table;
   table.title = "cylinder_in_solid: errors";
   table.columns = {{"name", "quantity", ""}, {"error", "ρ error", "%.1e"}, {"count", "n", ""}};
-  table.rows = {{std::string("a, b"), 1.2e-5, std::int64_t{7}}, {std::string("c_1"), std::numeric_limits<double>::quiet_NaN(), {}}};
+  table.rows = {{std::string("a, b"), 1.2e-5, std::int64_t{7}},
+                {std::string("c_1"), std::numeric_limits<double>::quiet_NaN(), {}}};
   return table;
 }
 

@@ -40,8 +40,8 @@ class TaskPool : public ::testing::Test {
 };
 
 TEST_F(TaskPool, TellsHowEachTaskEnded) {
-  const auto outcomes = run({task("good", "true"), task("bad", "echo first >&2; echo last >&2; exit 3"), task("killed", "kill -SEGV $$"),
-                             task("hangs", "sleep 60", 0.2)});
+  const auto outcomes = run({task("good", "true"), task("bad", "echo first >&2; echo last >&2; exit 3"),
+                             task("killed", "kill -SEGV $$"), task("hangs", "sleep 60", 0.2)});
   EXPECT_EQ(outcomes[0].status, 0);
   EXPECT_EQ(outcomes[1].status, 3);
   EXPECT_EQ(outcomes[1].message, "last");
