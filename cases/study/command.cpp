@@ -5,7 +5,10 @@
 #include "mortise/cases/driver/command_line_errors.hpp"
 #include "mortise/cases/study/convergence.hpp"
 #include "mortise/cases/study/cost.hpp"
+#include "mortise/cases/study/growth_member.hpp"
 #include "mortise/cases/study/published.hpp"
+#include "mortise/cases/study/stability.hpp"
+#include "mortise/cases/study/stress.hpp"
 
 namespace mortise {
 namespace {
@@ -80,6 +83,39 @@ void add_cost(CLI::App& study, Run& run) {
                       "whose L1 error counts; default: the geometric mean of all, relative to the first run's");
 }
 
+void add_stability(CLI::App& study, Run& run) {
+  const auto options = add_kind<StabilityOptions>(
+      study, "stability", "which schemes hold a scene, measured and by theory", run, study_stability);
+  CLI::App* command = study.get_subcommand("stability");
+  command->add_option("--vary", options->vary, "key=v1,v2,…, for example solid.scale=0.1,1,10")->required();
+  command->add_option("--schemes", options->schemes,
+                      "a,b,c, with variants as traditional+lagged; default: all that can run the scene");
+  command->add_option("--steps", options->steps, "that a disturbance is followed for")
+      ->capture_default_str()
+      ->check(count_from(10, 1000000));
+  command->add_flag("--threshold", options->threshold,
+                    "find by bisection where growth begins, between the least and the largest value");
+  const auto member = add_kind<GrowthMemberOptions>(
+      study, "growth", "growth of small disturbances of a case, measured and by theory, as JSON in the file --output",
+      run, write_growth);
+  study.get_subcommand("growth")
+      ->add_option("--steps", member->steps, "that a disturbance is followed for")
+      ->capture_default_str()
+      ->check(count_from(10, 1000000));
+}
+
+void add_stress(CLI::App& study, Run& run) {
+  const auto options = add_kind<StressOptions>(study, "stress", "random scenes, to find failures of the program", run,
+                                               study_stress, false);
+  CLI::App* command = study.get_subcommand("stress");
+  command->add_option("--minutes", options->minutes, "how long")->capture_default_str()->check(positive_number());
+  command->add_option("--seed", options->seed, "of the first scene")->capture_default_str();
+  command->add_option("--scenes", options->scenes, "at most; default: as many as there is time for");
+  command->add_option("--time-limit", options->time_limit, "seconds after which a run counts as hanging")
+      ->capture_default_str()
+      ->check(positive_number());
+}
+
 void add_published(CLI::App& study, Run& run) {
   const auto options =
       add_kind<PublishedOptions>(study, "published", "published numbers beside ours", run, study_published, false);
@@ -96,7 +132,9 @@ void add_study(CLI::App& app, Run& run) {
   study->require_subcommand(1);
   add_convergence(*study, run);
   add_cost(*study, run);
+  add_stability(*study, run);
   add_published(*study, run);
+  add_stress(*study, run);
 }
 
 }  // namespace mortise

@@ -6,6 +6,7 @@ import pathlib
 import sys
 
 import matplotlib
+import matplotlib.colors
 import matplotlib.ticker
 
 matplotlib.use("Agg")
@@ -78,7 +79,57 @@ def cost(study, figure):
     figure.suptitle(f"{study['case']}: run time against error (ringed: Pareto front)")
 
 
-KINDS = {"convergence": (convergence, (13, 5.4)), "cost": (cost, (11, 4.6))}
+def stability(study, figure):
+    """Growth per step over the impedance ratio, measured on theory; below, theory over ratio and Courant number."""
+    maps = study["maps"]
+    columns = max(1, min(4, len(maps)))
+    rows = -(-len(maps) // columns)
+    layout = figure.add_gridspec(1 + rows, columns, height_ratios=[1.5] + [1] * rows)
+    axes = figure.add_subplot(layout[0, :])
+    for k, scheme in enumerate(dict.fromkeys(p["scheme"] for p in study["points"])):
+        points = sorted((p for p in study["points"] if p["scheme"] == scheme), key=lambda p: p["value"])
+        measured = [p for p in points if p["measured"] is not None]
+        axes.plot([p["value"] for p in measured], [p["measured"] for p in measured], MARKERS[k % len(MARKERS)],
+                  color=f"C{k % 10}", mfc="none", label=scheme)
+        theory = [p for p in points if p["predicted"] is not None]
+        axes.plot([p["value"] for p in theory], [p["predicted"] for p in theory], "-", color=f"C{k % 10}", lw=0.9)
+    axes.axhline(1, color="0.4", lw=0.8)
+    axes.set(xscale="log", yscale="log", xlabel=study["vary"], ylabel="growth per step",
+             title="small disturbances: measured (symbols), amplification matrix (lines)")
+    axes.legend(loc="upper left", bbox_to_anchor=(1, 1), frameon=False)
+    image = None
+    for k, one in enumerate(maps):
+        panel = figure.add_subplot(layout[1 + k // columns, k % columns])
+        factors = [[min(max(f if f is not None else 1e3, 1e-3), 1e3) for f in one["factor"][i * len(one["cfl"]):(i + 1) * len(one["cfl"])]]
+                   for i in range(len(one["ratio"]))]
+        values = [list(row) for row in zip(*factors)]
+        image = panel.pcolormesh(one["ratio"], one["cfl"], [[f - 1 for f in row] for row in values],
+                                 norm=matplotlib.colors.SymLogNorm(0.02, vmin=-10, vmax=10), cmap="RdBu_r", shading="nearest")
+        if min(map(min, values)) < 1 + 1e-6 < max(map(max, values)):
+            panel.contour(one["ratio"], one["cfl"], values, levels=[1 + 1e-6], colors="k", linewidths=1)
+        panel.set(xscale="log", title=one["scheme"], xlabel="$z_s/z_f$ or $m/z\\Delta t$", ylabel="CFL")
+        panel.grid(False)
+    if image is not None:
+        figure.colorbar(image, ax=figure.axes[1:], label="growth per step $-$ 1", shrink=0.8)
+    figure.suptitle(f"{study['case']}: stability")
+
+
+def stress(study, figure):
+    """How many random scenes of each kind ended how."""
+    axes = figure.subplots()
+    colors = {"passed": "#4c9f70", "refused": "#c0c0c0", "numerical": "#e0a030"}
+    left = [0] * len(study["kinds"])
+    for verdict in study["verdicts"]:
+        counts = [kind["counts"].get(verdict, 0) for kind in study["kinds"]]
+        if any(counts):
+            axes.barh([kind["kind"] for kind in study["kinds"]], counts, left=left, label=verdict, color=colors.get(verdict, "#b03030"))
+        left = [a + b for a, b in zip(left, counts)]
+    axes.set(xlabel="random scenes", title=f"stress study, seeds {study['first']} to {study['last']}")
+    axes.legend(frameon=False, loc="upper left", bbox_to_anchor=(1, 1))
+
+
+KINDS = {"convergence": (convergence, (13, 5.4)), "cost": (cost, (11, 4.6)),
+         "stability": (stability, (12, 9)), "stress": (stress, (9, 4.5))}
 
 
 def main():

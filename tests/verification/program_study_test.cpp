@@ -92,7 +92,7 @@ TEST_F(Study, CostMarksTheParetoFront) {
 TEST_F(Study, PublishedNumbersStandBesideOurs) {
   const Outcome outcome = study({"published", "--only", "rigid_piston"});
   ASSERT_EQ(outcome.status, 0) << outcome.errors;
-  const std::string line = "released, F = 16, L1: ρ,6.2e-05,";
+  const std::string line = "\"released, F = 16, L1: ρ\",6.2e-05,";
   const std::string table = read_file(folder / "study/study.csv");
   const std::size_t found = table.find(line);
   ASSERT_NE(found, std::string::npos) << table;
