@@ -60,10 +60,12 @@ class ElasticMachine {
         transfer_(ends_, ends_, false),
         unit_(std::sqrt(std::sqrt(line.solid.impedance * line.gas.impedance))) {
     check_time_step(line.time_step);
-    if (line.solid_substeps < 1) throw InputError("substeps: " + std::to_string(line.solid_substeps) + " is not possible");
+    if (line.solid_substeps < 1)
+      throw InputError("substeps: " + std::to_string(line.solid_substeps) + " is not possible");
     for (const double share : line.gas_shares)
       if (!(share > 0)) throw InputError("shares of a step must be > 0, not " + std::to_string(share));
-    if (line.solid_substeps > 1 && !line.gas_shares.empty()) throw InputError("only one side of an interface can have substeps");
+    if (line.solid_substeps > 1 && !line.gas_shares.empty())
+      throw InputError("only one side of an interface can have substeps");
     structure_.admittance(0, 0) = structure_.admittance(1, 1) = 1 / line.solid.impedance;
     options_.nonlinear = false;
     options_.lagged = line.lagged;
@@ -144,9 +146,12 @@ class ElasticMachine {
   };
 
   /// The scheme's answer to both sides at their own times θ of their own steps.
-  Answer ask(const AcousticLine::Trace& of_solid, double theta_solid, const AcousticLine::Trace& of_gas, double theta_gas) {
+  Answer ask(const AcousticLine::Trace& of_solid, double theta_solid, const AcousticLine::Trace& of_gas,
+             double theta_gas) {
     const auto at = [](double now, double half, double theta) { return now + 2 * theta * (half - now); };
-    const auto velocity = [&](const AcousticLine::Trace& t, double theta) { return at(t.velocity_now, t.velocity, theta); };
+    const auto velocity = [&](const AcousticLine::Trace& t, double theta) {
+      return at(t.velocity_now, t.velocity, theta);
+    };
     const auto stress = [&](const AcousticLine::Trace& t, double theta) { return at(t.stress_now, t.stress, theta); };
     structure_.velocity[0] = -velocity(of_solid, theta_solid);
     structure_.traction[0] = -stress(of_solid, theta_solid);

@@ -1,8 +1,8 @@
 // Theory of the coupling schemes' stability: the matrix by which one step of the whole discretisation, linearised about
 // gas and solid at rest, amplifies a disturbance of an interface in one dimension,
 //   x^{n+1} = A x^n,   stable iff no eigenvalue of A leaves the unit circle (beyond it by round-off).
-// Both sides are the code's own scheme (acoustic_line.hpp); what happens between them is asked of the library's coupling
-// schemes themselves, column by column on unit vectors: a new scheme has its theory with it.
+// Both sides are the code's own scheme (acoustic_line.hpp); what happens between them is asked of the library's
+// coupling schemes themselves, column by column on unit vectors: a new scheme has its theory with it.
 //
 // Where both far ends are open the eigenvalues are those of the sides alone, and the roots ζ of the scheme, for nothing
 // of what a side sends out comes back. First-order upwind or second, any Δt, b = z_f/z_s, β = z Δt/m, z the sum of the
@@ -13,8 +13,8 @@
 //   rigid body         traditional ζ = 1 − β: unstable iff m < z Δt/2
 //                      rigid ζ = (1 − (1 − 2g) β)/(1 + g β)²,  g = 1 − 1/√2: SDIRK2's own stability function
 // Far ends that reflect close the loop; the matrix then says what no formula does.
-// Non-dimensional. Source of the idea: stability analysis by normal modes, Gustafsson, Kreiss & Sundström, Math. Comp. 26
-// (1972) 649; applied to interfaces by Banks & Sjögreen, Commun. Comput. Phys. 10 (2011) 279.
+// Non-dimensional. Source of the idea: stability analysis by normal modes, Gustafsson, Kreiss & Sundström, Math. Comp.
+// 26 (1972) 649; applied to interfaces by Banks & Sjögreen, Commun. Comput. Phys. 10 (2011) 279.
 #pragma once
 
 #include <string>

@@ -15,7 +15,8 @@ template <int Dim>
 Difference of_gas(const Primitive<Dim>& W, const Primitive<Dim>& other, double gamma) {
   const double stiffness = gamma * W.pressure, c = std::sqrt(stiffness / W.density), dp = other.pressure - W.pressure;
   double square = 0;
-  for (std::size_t d = 0; d < Dim; ++d) square += (other.velocity[d] - W.velocity[d]) * (other.velocity[d] - W.velocity[d]);
+  for (std::size_t d = 0; d < Dim; ++d)
+    square += (other.velocity[d] - W.velocity[d]) * (other.velocity[d] - W.velocity[d]);
   return {0.5 * (W.density * square + dp * dp / stiffness), std::max(std::sqrt(square) / c, std::abs(dp) / stiffness)};
 }
 
@@ -80,7 +81,8 @@ Difference difference(const Simulation<Dim>& base, const Simulation<Dim>& other)
   Difference sum;
   add_gas(base, other, sum);
   for (std::size_t k = 0; k < base.solids().size(); ++k) add_solid(*base.solids()[k], *other.solids()[k], sum);
-  for (std::size_t b = 0; b < base.bodies().size(); ++b) sum.energy += energy_of_body(base.bodies()[b], other.bodies()[b]);
+  for (std::size_t b = 0; b < base.bodies().size(); ++b)
+    sum.energy += energy_of_body(base.bodies()[b], other.bodies()[b]);
   return sum;
 }
 

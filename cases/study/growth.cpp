@@ -21,8 +21,11 @@ constexpr double round_off = 1e-15;     // relative amplitude at which a differe
 template <int Dim>
 class Twins {
  public:
-  Twins(const CaseDescription& description, const GrowthOptions& options)
-      : description_(description), options_(options), base_(start(description, 0)), twin_(start(description, options.amplitude)) {
+  Twins(const CaseDescription& description, const DisturbanceOptions& options)
+      : description_(description),
+        options_(options),
+        base_(start(description, 0)),
+        twin_(start(description, options.amplitude)) {
     base_.initialize();
     check_initial_state(description, base_);
     twin_.initialize();
@@ -49,7 +52,8 @@ class Twins {
     }
     record();
     const double amplitude = growth_.amplitude.back();
-    if (!(amplitude <= options_.linear)) return end("grown", "the difference has left the linear regime: " + text(amplitude));
+    if (!(amplitude <= options_.linear))
+      return end("grown", "the difference has left the linear regime: " + text(amplitude));
     if (amplitude <= round_off) return end("damped", "the difference has fallen to round-off: " + text(amplitude));
     if (base_.steps() >= options_.steps) return end("finished", "all steps are done");
     if (base_.time() >= description_.time_end) end("finished", "the end of the case is reached");
@@ -71,7 +75,7 @@ class Twins {
   }
 
   CaseDescription description_;
-  GrowthOptions options_;
+  DisturbanceOptions options_;
   Simulation<Dim> base_, twin_;
   std::vector<double> times_;
   Growth growth_;
@@ -105,7 +109,7 @@ void fit_growth(Growth& growth, const std::vector<double>& times) {
   growth.rate = std::log(growth.factor) / growth.dt;
 }
 
-Growth measure_growth(const CaseDescription& description, const GrowthOptions& options) {
+Growth measure_growth(const CaseDescription& description, const DisturbanceOptions& options) {
   if (!(options.amplitude > 0) || !(options.amplitude < options.linear))
     throw InputError("the noise needs an amplitude between 0 and " + std::to_string(options.linear));
   if (options.steps < 1) throw InputError("growth needs steps to be measured in");

@@ -14,7 +14,7 @@
 
 namespace mortise {
 
-struct GrowthOptions {
+struct DisturbanceOptions {
   double amplitude = 1e-10;  // of the noise, over speeds of sound and γp̃; in (0, linear)
   double linear = 1e-5;      // the difference has left the linear regime where |δu|/c or |δp|/γp̃ is larger
   int steps = 400;           // at most; > 0
@@ -25,19 +25,19 @@ struct Growth {
   // finished: all steps or time.end; grown: the difference left the linear regime, or damped: it fell to round-off;
   // unstable: a run failed in a NumericalError before. The last three end early.
   std::string status;
-  std::string reason;             // in words, of any end
-  double time = 0;                // reached
-  std::int64_t steps = 0;         // taken
-  double factor = 0;              // growth per step in the window; NaN: fewer than three steps to fit
-  double rate = 0;                // growth per time: log factor/dt; NaN likewise
-  double dt = 0;                  // mean step in the window
+  std::string reason;                // in words, of any end
+  double time = 0;                   // reached
+  std::int64_t steps = 0;            // taken
+  double factor = 0;                 // growth per step in the window; NaN: fewer than three steps to fit
+  double rate = 0;                   // growth per time: log factor/dt; NaN likewise
+  double dt = 0;                     // mean step in the window
   std::int64_t first = 0, last = 0;  // the window: after these numbers of steps
-  std::vector<double> energy;     // of the difference after every step, the initial one first
-  std::vector<double> amplitude;  // and its largest relative amplitude
+  std::vector<double> energy;        // of the difference after every step, the initial one first
+  std::vector<double> amplitude;     // and its largest relative amplitude
 };
 
 /// Runs the case twice, at most to time.end. Collective; the same on every rank. Throws InputError like build_scene().
-Growth measure_growth(const CaseDescription& description, const GrowthOptions& options = {});
+Growth measure_growth(const CaseDescription& description, const DisturbanceOptions& options = {});
 
 /// factor, rate, dt and window of what has been recorded, from the times of the steps (as many as energies).
 void fit_growth(Growth& growth, const std::vector<double>& times);

@@ -24,7 +24,8 @@ Point<Dim> direction_of(const CaseDescription& c) {
 }  // namespace
 
 template <int Dim>
-Noise<Dim>::Noise(unsigned seed, const CaseDescription& description) : line_(description.dimension == 1), direction_(direction_of<Dim>(description)) {
+Noise<Dim>::Noise(unsigned seed, const CaseDescription& description)
+    : line_(description.dimension == 1), direction_(direction_of<Dim>(description)) {
   std::mt19937 engine(seed);
   const auto wave = [&] {
     PlaneWave one;
@@ -55,7 +56,8 @@ Point<Dim> Noise<Dim>::vector(const Point<Dim>& x) const {
 template <int Dim>
 void disturb(SimulationSetup<Dim>& setup, const CaseDescription& description, double amplitude, unsigned seed) {
   auto noise = [&description, number = 16 * seed]() mutable { return Noise<Dim>(number++, description); };
-  setup.initial = [initial = setup.initial, of_gas = noise(), amplitude, gamma = setup.fluid.gas.gamma](const Point<Dim>& x, double t) {
+  setup.initial = [initial = setup.initial, of_gas = noise(), amplitude, gamma = setup.fluid.gas.gamma](
+                      const Point<Dim>& x, double t) {
     Primitive<Dim> W = initial(x, t);
     const Point<Dim> u = amplitude * std::sqrt(gamma * W.pressure / W.density) * of_gas.vector(x);
     for (std::size_t d = 0; d < Dim; ++d) W.velocity[d] += u[static_cast<int>(d)];
@@ -64,8 +66,9 @@ void disturb(SimulationSetup<Dim>& setup, const CaseDescription& description, do
   };
   if constexpr (Dim == 2)
     for (SolidSetup& solid : setup.solids)
-      solid.initial = [initial = solid.initial, of_solid = noise(), speed = amplitude * solid.elastic.options.material.pressure_wave_speed()](
-                          const Point<2>& X, double t) {
+      solid.initial = [initial = solid.initial, of_solid = noise(),
+                       speed = amplitude * solid.elastic.options.material.pressure_wave_speed()](const Point<2>& X,
+                                                                                                 double t) {
         ElasticState state = initial(X, t);
         const Point<2> v = speed * of_solid.vector(X);
         state[0] += v[0];

@@ -30,8 +30,8 @@ class Noise {
   std::array<std::vector<PlaneWave>, 1 + Dim> waves_;  // of the number and of the components
 };
 
-/// Adds noise to the initial state of a scene: `amplitude` times the speed of sound to the velocity of the gas, times γp̃ to its
-/// pressure, times c_p to the velocity of elastic solids.
+/// Adds noise to the initial state of a scene: `amplitude` times the speed of sound to the velocity of the gas, times
+/// γp̃ to its pressure, times c_p to the velocity of elastic solids.
 template <int Dim>
 void disturb(SimulationSetup<Dim>& setup, const CaseDescription& description, double amplitude, unsigned seed);
 

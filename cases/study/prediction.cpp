@@ -13,19 +13,17 @@ constexpr int most_cells = 64;       // of a side
 constexpr double nearly_rest = 0.1;  // Mach number
 
 FarEnd end_of_gas(const std::string& key) {
-  static const Registry<FarEnd> ends("boundary", {{"outflow", FarEnd::open},
-                                                  {"wall", FarEnd::wall},
-                                                  {"exact", FarEnd::rest},
-                                                  {"inflow", FarEnd::rest}});
+  static const Registry<FarEnd> ends(
+      "boundary",
+      {{"outflow", FarEnd::open}, {"wall", FarEnd::wall}, {"exact", FarEnd::rest}, {"inflow", FarEnd::rest}});
   return ends.at(key);
 }
 
 /// A prescribed traction is like a free side to disturbances.
 FarEnd end_of_solid(const SideDescription& side) {
-  static const Registry<FarEnd> ends("side of a solid", {{"free", FarEnd::free},
-                                                         {"fixed", FarEnd::fixed},
-                                                         {"slip", FarEnd::fixed},
-                                                         {"exact", FarEnd::rest}});
+  static const Registry<FarEnd> ends(
+      "side of a solid",
+      {{"free", FarEnd::free}, {"fixed", FarEnd::fixed}, {"slip", FarEnd::fixed}, {"exact", FarEnd::rest}});
   return side.traction.empty() ? ends.at(side.kind) : FarEnd::free;
 }
 
@@ -84,7 +82,8 @@ GrowthPrediction of_strip(const CaseDescription& c) {
   simulation.initialize();
   const FittedBody<2>& gas = scene.setup.fluid.bodies[0];
   ElasticLine line;
-  line.gas = gas_side(scene.setup.initial(gas.mesh->node(0, 0), 0), c.gamma, c.layer.height, gas.mesh->layers, c.dimension == 1 ? c.right : c.top);
+  line.gas = gas_side(scene.setup.initial(gas.mesh->node(0, 0), 0), c.gamma, c.layer.height, gas.mesh->layers,
+                      c.dimension == 1 ? c.right : c.top);
   line.solid = solid_side(c, scene.setup.solids[0]);
   line.scheme = c.scheme;
   line.lagged = c.coupling.wall_velocity == "lagged";
@@ -99,7 +98,7 @@ GrowthPrediction of_strip(const CaseDescription& c) {
   GrowthPrediction prediction;
   prediction.factor = growth_factor(line);
   prediction.dt = line.time_step / static_cast<double>(std::max<std::size_t>(line.gas_shares.size(), 1));
-  prediction.impedances = line.solid.impedance / line.gas.impedance;
+  prediction.ratio = line.solid.impedance / line.gas.impedance;
   prediction.line = line;
   return prediction;
 }
@@ -153,7 +152,7 @@ std::optional<GrowthPrediction> of_body(const CaseDescription& c, std::string& r
   GrowthPrediction prediction;
   prediction.factor = growth_factor(line);
   prediction.dt = line.time_step;
-  prediction.impedances = line.mass / (z * line.time_step);
+  prediction.ratio = line.mass / (z * line.time_step);
   prediction.line = line;
   return prediction;
 }

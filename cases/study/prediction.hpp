@@ -12,10 +12,10 @@
 namespace mortise {
 
 struct GrowthPrediction {
-  double factor = 0;     // growth per step of the gas
-  double rate = 0;       // per time: log factor/dt
-  double dt = 0;         // of the gas; the mean where the steps of the gas differ
-  double impedances = 0;  // z_s/z_f; of a rigid body: m/(z dt), z the sum over its sides with gas
+  double factor = 0;                          // growth per step of the gas
+  double rate = 0;                            // per time: log factor/dt
+  double dt = 0;                              // of the gas; the mean where the steps of the gas differ
+  double ratio = 0;                           // z_s/z_f; of a rigid body m/(z dt), z the sum over its sides with gas
   std::variant<ElasticLine, RigidLine> line;  // what was looked at
 };
 

@@ -44,7 +44,8 @@ TEST(Amplification, TraditionalRootsAreThoseOfTheoryForEitherOrderAndAnyStep) {
 TEST(Amplification, ModesOfFirstOrderUpwind) {
   for (const double courant : {0.3, 0.9})
     for (const double b : {0.25, 3.0}) {
-      const Eigen::MatrixXd projection = amplification_matrix(even_line(1 / b, courant, 1, "projection", false, false, 3));
+      const Eigen::MatrixXd projection =
+          amplification_matrix(even_line(1 / b, courant, 1, "projection", false, false, 3));
       EXPECT_NEAR(spectral_radius(projection), 1 - courant, 1e-4) << b;  // a defective eigenvalue: ε^(1/3)
       const Eigen::MatrixXd lagged = amplification_matrix(even_line(1 / b, courant, 1, "traditional", true, false, 3));
       EXPECT_LT(distance(lagged, -b), 1e-10) << courant;
