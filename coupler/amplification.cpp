@@ -113,7 +113,7 @@ class ElasticMachine {
       advance_solid(part, dt * share);
       mean.add(part, share);
     }
-    gas_.step(mean.wall_velocity, mean.pressure, dt);
+    gas_.step(line_.following * mean.wall_velocity, mean.pressure, dt);
     remember(mean);
   }
   /// One step of the solid, the gas taking several within it.
@@ -125,7 +125,7 @@ class ElasticMachine {
     for (const double weight : line_.gas_shares) {
       const double share = weight / whole;
       const Answer part = ask(of_solid, begun + 0.5 * share, gas_.trace(dt * share), 0.5);
-      gas_.step(part.wall_velocity, part.pressure, dt * share);
+      gas_.step(line_.following * part.wall_velocity, part.pressure, dt * share);
       remember(part);
       mean.add(part, share);
       begun += share;

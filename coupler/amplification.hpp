@@ -12,9 +12,18 @@
 //   projection         no ζ but 0
 //   rigid body         traditional ζ = 1 − β: unstable iff m < z Δt/2
 //                      rigid ζ = (1 − (1 − 2g) β)/(1 + g β)²,  g = 1 − 1/√2: SDIRK2's own stability function
-// Far ends that reflect close the loop; the matrix then says what no formula does.
-// Non-dimensional. Source of the idea: stability analysis by normal modes, Gustafsson, Kreiss & Sundström, Math. Comp.
-// 26 (1972) 649; applied to interfaces by Banks & Sjögreen, Commun. Comput. Phys. 10 (2011) 279.
+// Far ends that reflect close the loop. Lagged velocities then work on whatever swings between the two sides, −Δt ⟨p
+// v'⟩ per time: where the gas is a spring to a solid that swings as a mass, they feed it at any ratio of impedances
+// (extrapolated ones Δt² times more slowly), slowly enough to be missed in a short run.
+//
+// Waves along the wall: pressures and tractions know the velocity of every face, but the gas's wall moves with its
+// nodes, which average over faces (interface_nodes.hpp), and so misses the part 1 − α of a wave along the wall, α =
+// cos⁴(θ/2) for a wave that turns by θ per face. With `following` = α the matrix is that of such a wave, up to what
+// waves and dissipation along the wall do themselves. First order, lagged traditional: ζ (ζ − 1 + λ) + b (ζ − 1 + αλ) =
+// 0, unstable iff z_s/z_f < (2 − αλ)/(2 − λ): in the plane, the traditional schemes fail for heavier solids than on a
+// line. The projection does not. Non-dimensional. Source of the idea: stability analysis by normal modes, Gustafsson,
+// Kreiss & Sundström, Math. Comp. 26 (1972) 649; applied to interfaces by Banks & Sjögreen, Commun. Comput. Phys. 10
+// (2011) 279.
 #pragma once
 
 #include <string>
@@ -32,6 +41,7 @@ struct ElasticLine {
   std::string scheme = "projection";  // key of interface_schemes()
   bool lagged = false;                // InterfaceOptions::lagged
   int order = 2;                      // of both sides
+  double following = 1;               // α: velocity of the gas's wall over that of the interface's faces
   int solid_substeps = 1;             // of the solid within one of the gas
   std::vector<double> gas_shares;     // parts of one step of the solid that the gas's steps take; empty: all of it, one
 };

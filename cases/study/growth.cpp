@@ -84,7 +84,8 @@ class Twins {
 template <int Dim>
 Simulation<Dim> Twins<Dim>::start(const CaseDescription& description, double amplitude) const {
   Scene<Dim> scene = build_scene<Dim>(description);
-  if (amplitude > 0) disturb<Dim>(scene.setup, description, amplitude, options_.seed);
+  const bool plane = description.dimension == 1 && !options_.along_wall;
+  if (amplitude > 0) disturb<Dim>(scene.setup, description.spacing(), plane, amplitude, options_.seed);
   return Simulation<Dim>(Communicator(), std::move(scene.setup));
 }
 

@@ -19,6 +19,10 @@ struct DisturbanceOptions {
   double linear = 1e-5;      // the difference has left the linear regime where |δu|/c or |δp|/γp̃ is larger
   int steps = 400;           // at most; > 0
   unsigned seed = 1;         // of the noise
+  // A scene on a line with an elastic solid is a strip four cells wide. false: its noise does not vary along the wall,
+  // and nothing else does, to the bit, as long as the nodes' coordinates are exact (grid.factor = 0.8, 1.6, 3.2, …);
+  // else waves along the wall grow out of round-off. true: they are part of the noise.
+  bool along_wall = false;
 };
 
 struct Growth {

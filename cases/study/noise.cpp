@@ -13,29 +13,17 @@ constexpr int waves_of_noise = 32;
 /// In [−1, 1]; the standard fixes the numbers of the engine, but not those of its distributions.
 double random_number(std::mt19937& engine) { return 2 * (engine() / 4294967295.0) - 1; }
 
-/// The direction in which a scene on a line extends.
-template <int Dim>
-Point<Dim> direction_of(const CaseDescription& c) {
-  Point<Dim> direction = Point<Dim>::UnitX();
-  if constexpr (Dim == 2) direction = {std::cos(c.layer.angle * pi / 180), std::sin(c.layer.angle * pi / 180)};
-  return direction;
-}
-
 }  // namespace
 
 template <int Dim>
-Noise<Dim>::Noise(unsigned seed, const CaseDescription& description)
-    : line_(description.dimension == 1), direction_(direction_of<Dim>(description)) {
+Noise<Dim>::Noise(unsigned seed, double spacing, bool along_x) : along_x_(along_x) {
   std::mt19937 engine(seed);
-  const auto wave = [&] {
-    PlaneWave one;
-    for (int d = 0; d < Dim; ++d) one.number[d] = pi / description.spacing() * random_number(engine);
-    if (line_) one.number = one.number[0] * direction_;
-    one.phase = pi * random_number(engine);
-    return one;
-  };
   for (std::vector<PlaneWave>& waves : waves_)
-    for (int k = 0; k < waves_of_noise; ++k) waves.push_back(wave());
+    for (int k = 0; k < waves_of_noise; ++k) {
+      PlaneWave& wave = waves.emplace_back();
+      for (int d = 0; d < (along_x ? 1 : Dim); ++d) wave.number[d] = pi / spacing * random_number(engine);
+      wave.phase = pi * random_number(engine);
+    }
 }
 
 template <int Dim>
@@ -47,15 +35,14 @@ double Noise<Dim>::sum(const std::vector<PlaneWave>& waves, const Point<Dim>& x)
 
 template <int Dim>
 Point<Dim> Noise<Dim>::vector(const Point<Dim>& x) const {
-  if (line_) return sum(waves_[1], x) * direction_;
-  Point<Dim> v;
-  for (int d = 0; d < Dim; ++d) v[d] = sum(waves_[static_cast<std::size_t>(1 + d)], x);
+  Point<Dim> v = Point<Dim>::Zero();
+  for (int d = 0; d < (along_x_ ? 1 : Dim); ++d) v[d] = sum(waves_[static_cast<std::size_t>(1 + d)], x);
   return v;
 }
 
 template <int Dim>
-void disturb(SimulationSetup<Dim>& setup, const CaseDescription& description, double amplitude, unsigned seed) {
-  auto noise = [&description, number = 16 * seed]() mutable { return Noise<Dim>(number++, description); };
+void disturb(SimulationSetup<Dim>& setup, double spacing, bool along_x, double amplitude, unsigned seed) {
+  auto noise = [spacing, along_x, number = 16 * seed]() mutable { return Noise<Dim>(number++, spacing, along_x); };
   setup.initial = [initial = setup.initial, of_gas = noise(), amplitude, gamma = setup.fluid.gas.gamma](
                       const Point<Dim>& x, double t) {
     Primitive<Dim> W = initial(x, t);
@@ -79,7 +66,7 @@ void disturb(SimulationSetup<Dim>& setup, const CaseDescription& description, do
 
 template class Noise<1>;
 template class Noise<2>;
-template void disturb<1>(SimulationSetup<1>&, const CaseDescription&, double, unsigned);
-template void disturb<2>(SimulationSetup<2>&, const CaseDescription&, double, unsigned);
+template void disturb<1>(SimulationSetup<1>&, double, bool, double, unsigned);
+template void disturb<2>(SimulationSetup<2>&, double, bool, double, unsigned);
 
 }  // namespace mortise

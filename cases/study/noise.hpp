@@ -4,17 +4,16 @@
 #include <array>
 #include <vector>
 
-#include "mortise/cases/input/case_description.hpp"
 #include "mortise/coupler/simulation.hpp"
 
 namespace mortise {
 
 /// A number and a vector of order 1 at every point: sums of plane waves of random directions and phases, two cells long
-/// and longer. In a scene on a line they run and point along it.
+/// and longer. along_x: they run and point along x only.
 template <int Dim>
 class Noise {
  public:
-  Noise(unsigned seed, const CaseDescription& description);
+  Noise(unsigned seed, double spacing, bool along_x);
   double scalar(const Point<Dim>& x) const { return sum(waves_[0], x); }
   Point<Dim> vector(const Point<Dim>& x) const;
 
@@ -25,14 +24,13 @@ class Noise {
   };
   static double sum(const std::vector<PlaneWave>& waves, const Point<Dim>& x);
 
-  bool line_;
-  Point<Dim> direction_;
+  bool along_x_;
   std::array<std::vector<PlaneWave>, 1 + Dim> waves_;  // of the number and of the components
 };
 
-/// Adds noise to the initial state of a scene: `amplitude` times the speed of sound to the velocity of the gas, times
-/// γp̃ to its pressure, times c_p to the velocity of elastic solids.
+/// Adds noise to the initial state of a scene with cells of size `spacing`: `amplitude` times the speed of sound to the
+/// velocity of the gas, times γp̃ to its pressure, times c_p to the velocity of elastic solids.
 template <int Dim>
-void disturb(SimulationSetup<Dim>& setup, const CaseDescription& description, double amplitude, unsigned seed);
+void disturb(SimulationSetup<Dim>& setup, double spacing, bool along_x, double amplitude, unsigned seed);
 
 }  // namespace mortise

@@ -97,9 +97,11 @@ GrowthPrediction of_strip(const CaseDescription& c) {
   }
   GrowthPrediction prediction;
   prediction.factor = growth_factor(line);
+  prediction.line = line;
+  line.following = 0;
+  prediction.along_wall = growth_factor(line);
   prediction.dt = line.time_step / static_cast<double>(std::max<std::size_t>(line.gas_shares.size(), 1));
   prediction.ratio = line.solid.impedance / line.gas.impedance;
-  prediction.line = line;
   return prediction;
 }
 
@@ -150,7 +152,7 @@ std::optional<GrowthPrediction> of_body(const CaseDescription& c, std::string& r
   double z = 0;
   for (const AcousticSide& gas : line.gases) z += gas.impedance;
   GrowthPrediction prediction;
-  prediction.factor = growth_factor(line);
+  prediction.factor = prediction.along_wall = growth_factor(line);
   prediction.dt = line.time_step;
   prediction.ratio = line.mass / (z * line.time_step);
   prediction.line = line;

@@ -12,7 +12,10 @@
 namespace mortise {
 
 struct GrowthPrediction {
-  double factor = 0;                          // growth per step of the gas
+  double factor = 0;  // growth per step of the gas
+  // The same for waves along the wall of a strip that are two faces long, whose nodes do not move (`following` = 0),
+  // without the dissipation along the wall: an upper estimate of what grows in the plane. Rigid bodies: factor.
+  double along_wall = 0;
   double rate = 0;                            // per time: log factor/dt
   double dt = 0;                              // of the gas; the mean where the steps of the gas differ
   double ratio = 0;                           // z_s/z_f; of a rigid body m/(z dt), z the sum over its sides with gas

@@ -18,9 +18,9 @@ CaseDescription described(const std::string& name, const Overrides& overrides) {
 /// The tube with z_s/z_f = ratio and eight cells a side.
 CaseDescription tube(const std::string& scheme, const std::string& wall_velocity, double ratio,
                      const Overrides& more = {}) {
-  return described("resting_tube", Overrides{"scheme=" + scheme, "coupling.wall_velocity=" + wall_velocity,
-                                             set("solid.scale", ratio), "grid.factor=0.8"} +
-                                       more);
+  return described(
+      "resting_tube",
+      Overrides{"scheme=" + scheme, "coupling.wall_velocity=" + wall_velocity, set("solid.scale", ratio)} + more);
 }
 
 double predicted(const CaseDescription& description) {
@@ -102,6 +102,41 @@ TEST(StabilityTheory, ThresholdsAreThoseOfTheory) {
       EXPECT_LT(factor(traditional ? z * 1.02 : z / 1.02), 1.0001)
           << one.scheme << " " << one.wall_velocity << " " << cfl;
     }
+}
+
+/// Sides of different wave speeds: the faster one takes several steps within one of the other.
+TEST(StabilityTheory, StepsOfTheFasterSideAreInTheTheory) {
+  for (const char* speed : {"solids.0.material.density=0.0625", "solids.0.material.density=16"})  // c_p = 4, 1/4
+    for (const double ratio : {0.55, 0.8}) {
+      const double scale = ratio * (speed[std::string(speed).size() - 1] == '5' ? 4 : 0.25);
+      expect_agreement(tube("traditional", "lagged", scale, {speed}), std::string(speed) + " " + std::to_string(ratio));
+      EXPECT_LE(predicted(tube("projection", "lagged", scale, {speed})), 1 + 1e-12);
+    }
+}
+
+/// A free solid on gas swings; lagged velocities feed the swing at any ratio of impedances, slowly.
+TEST(StabilityTheory, LaggedVelocitiesFeedTheSwingOfAFreeSolid) {
+  for (const double ratio : {2.0, 5.0}) {
+    const CaseDescription description = tube("traditional", "lagged", ratio, {"solids.0.sides.back=free"});
+    const double theory = predicted(description) - 1;
+    EXPECT_GT(theory, 1e-3) << ratio;
+    EXPECT_NEAR(measured(description, 4000).factor - 1, theory, 0.05 * theory) << ratio;
+  }
+}
+
+/// Waves along the wall, whose nodes follow in part, grow faster than plane ones, and for heavier solids.
+TEST(StabilityTheory, WavesAlongTheWallGrowBeyondThePlaneOnes) {
+  for (const double ratio : {0.8, 1.1, 1.2}) {
+    const CaseDescription description = tube("traditional", "lagged", ratio);
+    DisturbanceOptions options;
+    options.along_wall = true;
+    const double factor = measure_growth(description, options).factor;
+    const auto prediction = predict_growth(description);
+    EXPECT_GT(factor, prediction->factor + 0.05) << ratio;
+    EXPECT_LT(factor, prediction->along_wall) << ratio;
+    options.steps = 600;
+    EXPECT_LE(measure_growth(tube("projection", "lagged", ratio), options).factor, 1 + 1e-5) << ratio;
+  }
 }
 
 /// β = z Δt/m.

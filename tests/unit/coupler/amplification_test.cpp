@@ -55,6 +55,40 @@ TEST(Amplification, ModesOfFirstOrderUpwind) {
     }
 }
 
+/// ζ (ζ − 1 + λ) + b (ζ − 1 + αλ) = 0.
+TEST(Amplification, WavesAlongTheWallOfAGasWhoseWallFollowsInPart) {
+  for (const double courant : {0.3, 0.9})
+    for (const double part : {0.0, 0.25, 1.0})
+      for (const double b : {0.5, 1.0, 3.0}) {
+        ElasticLine line = even_line(1 / b, courant, 1, "traditional", true, false, 3);
+        line.following = part;
+        const double half = 0.5 * (b - 1 + courant), rest = b * (part * courant - 1);
+        const Eigen::MatrixXd matrix = amplification_matrix(line);
+        for (const double sign : {-1.0, 1.0})
+          EXPECT_LT(distance(matrix, -half + sign * std::sqrt(half * half - rest)), 1e-4) << courant << part << b;
+        const double limit = (2 - part * courant) / (2 - courant);
+        for (const double factor : {0.99, 1.01}) {
+          line.solid.impedance = factor * limit;
+          EXPECT_EQ(growth_factor(line) > 1, factor < 1) << courant << " " << part;
+        }
+        line.solid.impedance = 1 / b;
+        line.scheme = "projection";
+        line.order = 2;
+        EXPECT_LE(growth_factor(line), 1 + 1e-12) << courant << " " << part;
+      }
+}
+
+/// Gas as a spring, solid as a mass: a lagged velocity feeds their swing, however heavy the solid is.
+TEST(Amplification, LaggedVelocitiesFeedTheSwingOfAFreeSolidOnGas) {
+  for (const double ratio : {2.0, 10.0, 100.0}) {
+    ElasticLine line = even_line(ratio, 0.5, 2, "traditional", true, true);
+    line.solid.end = FarEnd::free;
+    EXPECT_GT(growth_factor(line), 1 + 1e-4) << ratio;
+    line.scheme = "projection";
+    EXPECT_LT(growth_factor(line), 1) << ratio;
+  }
+}
+
 TEST(Amplification, ProjectionIsStableForEveryRatioOfImpedancesAndEveryCourantNumber) {
   for (const bool reflect : {false, true})
     for (const char* scheme : {"projection", "traditional-subiterated"})
