@@ -64,6 +64,12 @@ int DeformingScene::substeps_of(const Member& member, double dt, double cfl) con
   return std::max(1, static_cast<int>(std::ceil(dt * member.structure->rate() / cfl * (1 - 1e-9))));
 }
 
+std::vector<int> DeformingScene::substeps(double dt, double cfl) const {
+  std::vector<int> all;
+  for (const Member& member : interfaces_) all.push_back(substeps_of(member, dt, cfl));
+  return all;
+}
+
 /// The structures wait over as many whole steps of the fluid as their own rate allows, if that is two at least.
 DeformingScene::Stride DeformingScene::stride(double time, double limit, double fluid_rate, double cfl) const {
   if (stride_ > 0) return {stride_, end_};

@@ -47,6 +47,8 @@ class DeformingScene {
     double size, end;
   };
   Stride stride(double time, double limit, double fluid_rate, double cfl) const;
+  /// Steps of the structures within one of the fluid, where none waits for it; per interface.
+  std::vector<int> substeps(double dt, double cfl) const;
 
   std::vector<BodyPath<2>> present() const;
   std::vector<BodyPath<2>> predicted(double dt) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "mortise/coupler/gaps.hpp"
 #include "mortise/fluid/wall_pressure.hpp"
@@ -262,12 +263,14 @@ typename Simulation<Dim>::Plan Simulation<Dim>::next_step(double limit) const {
   plan.stride = deforming_.stride(time_, limit, setup_.time_step > 0 ? 0 : of_fluid, setup_.cfl);
   plan.limit = std::min(limit, plan.stride.end);
   if (setup_.time_step <= 0 && step_ < 5) plan.dt *= ramp[step_];
-  const double left = plan.limit - time_;
-  if (plan.dt >= left * (1 - 1e-12))
-    plan.dt = left;
-  else if (2 * plan.dt > left)
-    plan.dt = 0.5 * left;
+  plan.dt = step_towards(plan.dt, plan.limit - time_);
   return plan;
+}
+
+template <int Dim>
+typename Simulation<Dim>::Pace Simulation<Dim>::pace() const {
+  const double of_fluid = fluid_.rate(), dt = setup_.time_step > 0 ? setup_.time_step : setup_.cfl / std::max(of_fluid, deforming_.rate(of_fluid));
+  return {dt, deforming_.substeps(dt, setup_.cfl), deforming_.stride(time_, std::numeric_limits<double>::infinity(), setup_.time_step > 0 ? 0 : of_fluid, setup_.cfl).size};
 }
 
 template <int Dim>
@@ -277,6 +280,18 @@ double Simulation<Dim>::advance(double limit) {
     const Motion motion = attempt(plan);
     accept(motion, plan);
     return plan.dt;
+  } catch (const NumericalError& error) {
+    throw NumericalError("the computation failed at t = " + std::to_string(time_) + ", step " + std::to_string(step_) + ": " + error.what());
+  }
+}
+
+template <int Dim>
+void Simulation<Dim>::follow(const Simulation& leader) {
+  try {
+    Plan plan = leader.last_plan_;
+    const Motion motion = attempt(plan);
+    if (!(plan == leader.last_plan_)) throw NumericalError("a step of " + std::to_string(leader.last_plan_.dt) + " is too long here");
+    accept(motion, plan);
   } catch (const NumericalError& error) {
     throw NumericalError("the computation failed at t = " + std::to_string(time_) + ", step " + std::to_string(step_) + ": " + error.what());
   }
@@ -332,6 +347,7 @@ void Simulation<Dim>::accept(const Motion& motion, const Plan& plan) {
   const bool last = plan.dt == plan.limit - time_;
   time_ = last ? plan.limit : time_ + plan.dt;
   last_step_ = plan.dt;
+  last_plan_ = plan;
   ++step_;
   restless_ = std::max(0, restless_ - 1);
   cell_updates_ += fluid_.last_count().computed + deforming_.computed();

@@ -61,6 +61,12 @@ struct BodyLoad {
   double torque = 0;
 };
 
+/// The next step of size dt at most towards a time that is `left` away, so that no step before it is much shorter.
+inline double step_towards(double dt, double left) {
+  if (dt >= left * (1 - 1e-12)) return left;
+  return 2 * dt > left ? 0.5 * left : dt;
+}
+
 /// See the head of this file.
 inline constexpr double runaway_factor = 20;
 inline constexpr int repeat_limit = 40;
@@ -73,8 +79,19 @@ class Simulation {
   void initialize();
   /// One step that does not pass `limit`; returns Δt. Throws NumericalError naming the first bad cell.
   double advance(double limit);
+  /// The step that `leader`, which started from the same time, has just made, whatever rates there are here: for runs that
+  /// are compared step by step. Throws NumericalError like advance(), and when that step is not admissible here.
+  void follow(const Simulation& leader);
   /// advance() takes the same steps for either limit, this time at least.
   bool same_step(double limit, double other) const { return next_step(limit) == next_step(other); }
+
+  /// How the scene is stepped while its rates stay as they are, beyond the short first steps.
+  struct Pace {
+    double dt;                // of the gas
+    std::vector<int> solid_substeps;  // within a step of the gas, per interface
+    double solid_step;        // of solids that wait over several steps of the gas; ∞: none waits
+  };
+  Pace pace() const;
 
   double time() const { return time_; }
   std::int64_t steps() const { return step_; }
@@ -143,6 +160,7 @@ class Simulation {
   DeformingScene deforming_;  // empty for Dim = 1
   double least_j_ = 1;
   const BodyScheme<Dim>* scheme_;
+  Plan last_plan_{};  // of the last step
   double time_ = 0, last_step_ = 0;
   double fastest_wave_ = 0;  // |u| + c of the initial state, at most
   std::int64_t step_ = 0, cell_updates_ = 0, cells_skipped_ = 0, contacts_ = 0, repeats_ = 0;

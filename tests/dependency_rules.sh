@@ -37,7 +37,8 @@ check() {
   forbid 'fluid/**/*.[hc]pp' 'mortise/(solid|coupler|cases)/' 'fluid/ sees only grids/'
   forbid 'solid/**/*.[hc]pp' 'mortise/(fluid|coupler|cases)/' 'solid/ sees only grids/'
   forbid 'coupler/**/*.[hc]pp' 'mortise/cases/' 'coupler/ does not see cases/'
-  forbid 'coupler/interface*.[hc]pp coupler/interface*/**/*.[hc]pp coupler/schemes*.[hc]pp coupler/schemes*/**/*.[hc]pp' \
+  forbid 'coupler/interface*.[hc]pp coupler/interface*/**/*.[hc]pp coupler/schemes*.[hc]pp coupler/schemes*/**/*.[hc]pp
+    coupler/acoustic_line.[hc]pp coupler/amplification.[hc]pp' \
     'mortise/(fluid|solid)/' 'the core of the coupler sees neither side'
   forbid '[gfsc]*/**/*.[hc]pp' '\.\./' 'no way around the rooms'
   confine 'p4est|p8est|sc\.h' 'p4est'
@@ -69,6 +70,7 @@ self_test() {
   breaks "$tree" coupler/a.cpp mortise/cases/scene.hpp
   breaks "$tree" coupler/interface.hpp mortise/fluid/state.hpp
   breaks "$tree" coupler/schemes/rigid.cpp mortise/solid/body.hpp
+  breaks "$tree" coupler/amplification.cpp mortise/fluid/state.hpp
   breaks "$tree" fluid/a.cpp ../solid/body.hpp
   breaks "$tree" grids/a.hpp p4est.h
   breaks "$tree" cases/input/a.hpp toml++/toml.h
