@@ -9,8 +9,8 @@
 //   correct grids   cut holes for the new poses, interpolate fringe and exposed cells, fill ghosts
 // A step whose state is not admissible, or whose walls turn out faster than Δt allows, is repeated with a smaller Δt. The
 // coupling counts as unstable when a body that nothing but gas pushes moves faster than runaway_factor times the fastest wave of the initial
-// state, which no gas can make it do, and when repeated steps outnumber half the others by more than repeat_limit: small Δt
-// would then only hide that the coupling does not hold.
+// state, which no gas can make it do, and when steps repeated with a much smaller Δt outnumber half the others by more than
+// repeat_limit: small Δt would then only hide that the coupling does not hold.
 #pragma once
 
 #include <functional>
@@ -127,7 +127,9 @@ class Simulation {
   CoupledBody<Dim> coupled_body(std::size_t body, const BodyPath<Dim>& predicted, const std::vector<WallTrace<Dim>>& traces, double dt) const;
   std::vector<ContactPoint<Dim>> near_contacts(double within) const;
   double extra_rate(const Motion& motion) const;
+  double a_moment() const;
   std::string runaway(const Motion& motion) const;
+  std::string departed(const Motion& motion) const;
   Motion attempt(Plan& plan);
   bool step(const Motion& motion, const Plan& plan);
   void accept(const Motion& motion, const Plan& plan);
@@ -146,7 +148,7 @@ class Simulation {
   double time_ = 0, last_step_ = 0;
   double fastest_wave_ = 0;  // |u| + c of the initial state, at most
   std::int64_t step_ = 0, cell_updates_ = 0, cells_skipped_ = 0, contacts_ = 0, repeats_ = 0;
-  int restless_ = 0;  // 2 × repeated steps − others, at least 0
+  int restless_ = 0;  // 2 × repeated steps (but for adjusted ones) − others, at least 0
 };
 
 }  // namespace mortise
