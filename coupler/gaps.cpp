@@ -23,14 +23,82 @@ ContactPoint<2> gap_between(const GapBody<2>& A, const GapBody<2>& B) {
   return contact;
 }
 
-/// The point of the body that is farthest along `direction`.
-Point<2> support(const GapBody<2>& body, const Point<2>& direction) {
+constexpr std::size_t vertex_step = 16;  // of an outline's vertices every so manieth is looked at for the ends of a flat side
+
+/// Of points in the order in which they are offered the two that are farthest apart along a tangent.
+struct Ends {
+  Point<2> tangent;
+  ContactPoint<2> low, high;
+  double from = 1e300, to = -1e300;
+
+  void offer(const ContactPoint<2>& contact) {
+    const double s = contact.point.dot(tangent);
+    if (s < from) from = s, low = contact;
+    if (s > to) to = s, high = contact;
+  }
+};
+
+/// The closest points, and where flat sides face each other the ends of what is closer than `within`: one pair of
+/// points would let them turn into each other.
+void with_ends(const ContactPoint<2>& closest, const Ends& ends, double within, std::vector<ContactPoint<2>>& contacts) {
+  contacts.push_back(closest);
+  const double s = closest.point.dot(ends.tangent);
+  if (s - ends.from > 0.25 * within) contacts.push_back(ends.low);
+  if (ends.to - s > 0.25 * within) contacts.push_back(ends.high);
+}
+
+/// Points of the outline of `of` and the points of the other one that are nearest to them, if closer than `within`.
+void offer_points(const GapBody<2>& of, const GapBody<2>& other, double within, double direction, Ends& ends) {
+  const Frame<2> frame(of.pose), other_frame(other.pose);
+  const std::vector<Point<2>>& vertices = of.outline->polygon();
+  for (std::size_t k = 0; k < vertices.size(); k += vertex_step) {
+    const Point<2> x = frame.to_space(vertices[k]);
+    const StripTree::Nearest nearest = other.outline->tree().nearest(other_frame.to_body(x));
+    if (!(nearest.distance > 0) || nearest.distance >= within) continue;
+    const Point<2> y = other_frame.to_space(nearest.point);
+    ContactPoint<2> contact;
+    contact.normal = direction * (y - x) / nearest.distance;
+    contact.point = 0.5 * (x + y);
+    contact.gap = nearest.distance;
+    ends.offer(contact);
+  }
+}
+
+std::vector<ContactPoint<2>> contacts_between(const GapBody<2>& A, const GapBody<2>& B, double within) {
+  const ContactPoint<2> closest = gap_between(A, B);
+  std::vector<ContactPoint<2>> contacts;
+  if (closest.gap >= within) return contacts;
+  Ends ends{Point<2>(-closest.normal[1], closest.normal[0]), closest, closest};
+  if (closest.gap > 0 && !is_round(*A.outline) && !is_round(*B.outline)) {
+    offer_points(A, B, within, 1, ends);
+    offer_points(B, A, within, -1, ends);
+  }
+  with_ends(closest, ends, within, contacts);
+  return contacts;
+}
+
+/// The point of the body that is nearest to an edge of the domain, the plane n·x = `at` behind which there is nothing.
+std::vector<ContactPoint<2>> contacts_with_edge(const GapBody<2>& body, const Point<2>& normal, double at, double within) {
   const Frame<2> frame(body.pose);
-  const Point<2> local(frame.to_body(body.pose.position + direction));
-  const Point<2>* best = nullptr;
-  for (const Point<2>& X : body.outline->polygon())
-    if (!best || X.dot(local) > best->dot(local)) best = &X;
-  return frame.to_space(*best);
+  const auto contact_at = [&](const Point<2>& X) {
+    ContactPoint<2> contact;
+    contact.normal = normal;
+    contact.point = frame.to_space(X);
+    contact.gap = at - contact.point.dot(normal);
+    return contact;
+  };
+  const std::vector<Point<2>>& vertices = body.outline->polygon();
+  ContactPoint<2> closest = contact_at(vertices.front());
+  for (const Point<2>& X : vertices)
+    if (const ContactPoint<2> contact = contact_at(X); contact.gap < closest.gap) closest = contact;
+  std::vector<ContactPoint<2>> contacts;
+  if (closest.gap >= within) return contacts;
+  Ends ends{Point<2>(-normal[1], normal[0]), closest, closest};
+  if (!is_round(*body.outline))
+    for (std::size_t k = 0; k < vertices.size(); k += vertex_step)
+      if (const ContactPoint<2> contact = contact_at(vertices[k]); contact.gap < within) ends.offer(contact);
+  with_ends(closest, ends, within, contacts);
+  return contacts;
 }
 
 double face(const GapBody<1>& body, double direction) {
@@ -48,22 +116,35 @@ ContactPoint<1> gap_between(const GapBody<1>& A, const GapBody<1>& B) {
   return contact;
 }
 
-Point<1> support(const GapBody<1>& body, const Point<1>& direction) { return Point<1>(face(body, direction[0])); }
+std::vector<ContactPoint<1>> contacts_between(const GapBody<1>& A, const GapBody<1>& B, double within) {
+  const ContactPoint<1> contact = gap_between(A, B);
+  if (contact.gap >= within) return {};
+  return {contact};
+}
 
-/// Closest points of body a and the images of body b.
+std::vector<ContactPoint<1>> contacts_with_edge(const GapBody<1>& body, const Point<1>& normal, double at, double within) {
+  ContactPoint<1> contact;
+  contact.normal = normal;
+  contact.point[0] = face(body, normal[0]);
+  contact.gap = at - contact.point.dot(normal);
+  if (!std::isfinite(contact.gap) || contact.gap >= within) return {};
+  return {contact};
+}
+
+/// Of body a with the images of body b.
 template <int Dim>
-std::vector<ContactPoint<Dim>> gaps_between(const std::vector<GapBody<Dim>>& bodies, int a, int b, const std::vector<Point<Dim>>& images) {
-  std::vector<ContactPoint<Dim>> gaps;
+void add_contacts(const std::vector<GapBody<Dim>>& bodies, int a, int b, const std::vector<Point<Dim>>& images, double within,
+                  std::vector<ContactPoint<Dim>>& all) {
   for (const Point<Dim>& shift : images) {
     GapBody<Dim> image = bodies[static_cast<std::size_t>(b)];
     image.pose.position += shift;
-    ContactPoint<Dim> contact = gap_between(bodies[static_cast<std::size_t>(a)], image);
-    contact.a = a;
-    contact.b = b;
-    contact.shift = shift;
-    gaps.push_back(contact);
+    for (ContactPoint<Dim>& contact : contacts_between(bodies[static_cast<std::size_t>(a)], image, within)) {
+      contact.a = a;
+      contact.b = b;
+      contact.shift = shift;
+      all.push_back(contact);
+    }
   }
-  return gaps;
 }
 
 }  // namespace
@@ -86,9 +167,7 @@ std::vector<ContactPoint<Dim>> find_gaps(const std::vector<GapBody<Dim>>& bodies
   for (int a = 0; a < n; ++a) {
     const Box<Dim> near = boxes[static_cast<std::size_t>(a)].grown(within);
     const GapBody<Dim>& body = bodies[static_cast<std::size_t>(a)];
-    for (int b = a + 1; b < n; ++b)
-      for (const ContactPoint<Dim>& point : gaps_between(bodies, a, b, periods.images(boxes[static_cast<std::size_t>(b)], near)))
-        if (point.gap < within) gaps.push_back(point);
+    for (int b = a + 1; b < n; ++b) add_contacts(bodies, a, b, periods.images(boxes[static_cast<std::size_t>(b)], near), within, gaps);
     for (int d = 0; d < Dim; ++d)
       for (const double sign : {-1.0, 1.0}) {
         if (periodic[static_cast<std::size_t>(d)]) continue;
@@ -96,13 +175,10 @@ std::vector<ContactPoint<Dim>> find_gaps(const std::vector<GapBody<Dim>>& bodies
         if (sign * (edge - (sign < 0 ? near.low[d] : near.high[d])) > 0) continue;
         Point<Dim> normal = Point<Dim>::Zero();
         normal[d] = sign;
-        const Point<Dim> tip = support(body, normal);
-        ContactPoint<Dim> contact;
-        contact.a = a;
-        contact.normal = normal;
-        contact.point = tip;
-        contact.gap = sign * (edge - tip[d]);
-        if (std::isfinite(contact.gap) && contact.gap < within) gaps.push_back(contact);
+        for (ContactPoint<Dim>& contact : contacts_with_edge(body, normal, sign * edge, within)) {
+          contact.a = a;
+          gaps.push_back(contact);
+        }
       }
   }
   return gaps;

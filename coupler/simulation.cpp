@@ -102,8 +102,12 @@ double Simulation<Dim>::a_moment() const {
 
 template <int Dim>
 void Simulation<Dim>::initialize() {
-  deforming_.initialize();
-  fluid_.initialize(setup_.initial, present(), time_);
+  try {
+    deforming_.initialize();
+    fluid_.initialize(setup_.initial, present(), time_);
+  } catch (const NumericalError& error) {  // nothing has been computed yet
+    throw InputError(std::string("at t = 0 ") + error.what() + ": use finer cells (grid.factor), wider gaps or thicker solids");
+  }
   const double instant = a_moment();
   for (std::size_t b = 0; b < bodies_.size(); ++b) mean_velocity_[b] = held_velocity(b, instant);
   const auto moving = [&] {
@@ -313,46 +317,48 @@ double Simulation<Dim>::advance(double limit) {
   }
 }
 
-/// Bodies and fluid over dt, which is made smaller until the step is admissible.
+/// Bodies and fluid over dt, which is made smaller until the step is admissible. Where gas with next to no pressure
+/// stays inadmissible, the fluid's step is of first order; that tells nothing of the coupling.
 template <int Dim>
 typename Simulation<Dim>::Motion Simulation<Dim>::attempt(Plan& plan) {
   double& dt = plan.dt;
+  const int unrest = restless_;
+  bool first_order = false;
   for (int tries = 0;; ++tries) {
     Motion motion = move(plan);
     const std::string lost = runaway(motion);
     const double fastest = dt * (fluid_.rate() + extra_rate(motion));
     const bool too_fast = lost.empty() && setup_.time_step <= 0 && fastest > 1 && tries < 20;
-    const bool admissible = !too_fast && step(motion, plan);
+    const bool admissible = !too_fast && step(motion, plan, first_order);
     if (admissible && lost.empty()) {
       if (const std::string gone = departed(motion); !gone.empty()) throw NumericalError(gone + ": the domain must reach farther");
+      if (first_order) restless_ = unrest;
+      first_order_steps_ += first_order;
       return motion;
     }
-    const std::string bad = too_fast || admissible ? "" : inadmissible(motion);
+    const bool judged = !too_fast && !admissible;
+    const std::string bad_gas = judged ? fluid_.first_bad_cell(motion.paths) : "";
+    const std::string bad = judged && bad_gas.empty() ? deforming_.first_bad_cell(motion.deforming) : bad_gas;
     deforming_.reject(motion.deforming);
-    if (!lost.empty() && (admissible || tries >= runaway_tries)) throw NumericalError("the coupling is unstable, " + lost + (bad.empty() ? "" : "; first bad cell: " + bad));
+    if (!lost.empty() && (admissible || tries >= runaway_tries))
+      throw NumericalError("the coupling is unstable, " + lost + (bad.empty() ? "" : "; first bad cell: " + bad));
     const double shorter = too_fast ? std::max(0.5, std::min(0.95, setup_.cfl / fastest)) : 0.5;
     ++repeats_;
     if (shorter < adjusted) restless_ += 2;
     if (restless_ > 2 * repeat_limit)
       throw NumericalError(std::string(setup_.fluid.bodies.empty() ? "" : "the coupling is unstable, ") + "steps have to be repeated again and again" + (bad.empty() ? "" : ", last for " + bad));
-    if (tries >= 30 || dt < 1e-14 * (std::fabs(time_) + 1)) throw NumericalError(bad);
+    if (tries >= 30 || dt < 1e-14 * std::fabs(time_)) throw NumericalError(bad.empty() ? "no time step is short enough" : bad);
+    if (tries > 0 && !bad_gas.empty()) first_order = true;
     dt *= shorter;
   }
 }
 
 template <int Dim>
-bool Simulation<Dim>::step(const Motion& motion, const Plan& plan) {
+bool Simulation<Dim>::step(const Motion& motion, const Plan& plan, bool first_order) {
   for (const DeformingInterface::Step& interface : motion.deforming)
     if (!interface.admissible) return false;  // found on every rank alike
-  const bool fluid = fluid_.step(motion.paths, motion.pressure, plan.dt);
+  const bool fluid = fluid_.step(motion.paths, motion.pressure, plan.dt, first_order);
   return deforming_.advance(motion.deforming, time_, plan.dt, plan.stride) && fluid;
-}
-
-/// The first bad cell of a step that is not admissible.
-template <int Dim>
-std::string Simulation<Dim>::inadmissible(const Motion& motion) const {
-  const std::string in_fluid = fluid_.first_bad_cell(motion.paths);
-  return in_fluid.empty() ? deforming_.first_bad_cell(motion.deforming) : in_fluid;
 }
 
 template <int Dim>

@@ -97,7 +97,7 @@ void write_contact(CaseText& text, Dice& dice) {
 std::string draw_body_scheme(Dice& dice) { return dice.chance(0.85) ? "rigid" : "traditional"; }
 
 /// What a scene with rigid bodies begins with, up to the bodies.
-CaseText begin_scene(Dice& dice, const std::string& title, const std::string& scheme, const Stage& stage, const Flow& flow, double fastest) {
+CaseText begin_scene(Dice& dice, const std::string& title, const std::string& scheme, const Stage& stage, const Flow& flow, double fastest, bool repeat = true) {
   CaseText text;
   write_head(text, title + ", " + flow.kind + ", " + scheme, scheme, stage);
   if (dice.chance(0.1)) {
@@ -111,7 +111,7 @@ CaseText begin_scene(Dice& dice, const std::string& title, const std::string& sc
   text.numbers("low", {stage.low.begin(), stage.low.begin() + n}).numbers("high", {stage.high.begin(), stage.high.begin() + n});
   write_time(text, stage, end_of(stage, fastest, dice.whole(60, stage.dimension == 1 ? 400 : 160)));
   write_gas(text, dice, stage);
-  write_sides(text, dice, stage, flow);
+  write_sides(text, dice, stage, flow, repeat);
   write_flow(text, stage, flow);
   write_contact(text, dice);
   write_output(text, dice);
@@ -130,19 +130,19 @@ Scene line_bodies(Dice& dice, const std::string& title) {
   const Stage stage = draw_stage(dice, 1);
   const Flow flow = draw_flow(dice, stage, 1);
   const std::string scheme = draw_body_scheme(dice);
-  CaseText text = begin_scene(dice, title, scheme, stage, flow, flow.fastest);
-  for (const Slab& slab : draw_slabs(dice, stage)) {
+  const std::vector<Slab> slabs = draw_slabs(dice, stage);
+  const bool half_spaces = std::any_of(slabs.begin(), slabs.end(), [](const Slab& slab) { return !slab.side.empty(); });
+  CaseText text = begin_scene(dice, title, scheme, stage, flow, flow.fastest, !half_spaces);
+  for (const Slab& slab : slabs) {
     text.entry("bodies").word("shape", slab.side.empty() ? "slab" : "half_space");
     if (slab.side.empty())
       text.number("width", slab.width);
     else
       text.word("side", slab.side);
     text.number("position", slab.position);
-    Slab of_mass = slab;
-    if (!slab.side.empty()) of_mass.width = 0;
-    write_line_motion(text, dice, stage, of_mass, scheme == "traditional");
+    write_line_motion(text, dice, stage, slab, scheme == "traditional");
   }
-  return {flow.kind, scheme, scheme == "rigid", text.text()};
+  return {flow.kind, scheme, scheme == "rigid" && !half_spaces, text.text()};  // a half space may leave the domain
 }
 
 void write_plane_body(CaseText& text, Dice& dice, const Stage& stage, const Shape& shape, const Place& place, bool massive) {

@@ -169,16 +169,15 @@ void write_flow(CaseText& text, const Stage& stage, const Flow& flow) {
   text.numbers("velocity", std::vector<double>(static_cast<std::size_t>(stage.dimension), 0.0));
 }
 
-void write_sides(CaseText& text, Dice& dice, const Stage& stage, const Flow& flow) {
+void write_sides(CaseText& text, Dice& dice, const Stage& stage, const Flow& flow, bool repeat) {
   text.table("boundaries");
   const bool stream = flow.kind == "shock" || flow.kind == "uniform";
   for (int d = 0; d < stage.dimension; ++d) {
     const std::string low = d == 0 ? "left" : "bottom", high = d == 0 ? "right" : "top";
-    if (!stream || flow.kind == "uniform" || d == 1) {
-      if (dice.chance(0.15)) {
-        text.word(low, "periodic").word(high, "periodic");
-        continue;
-      }
+    const bool along_shock = flow.kind == "shock" && d == 0;
+    if (!along_shock && dice.chance(0.15) && repeat) {
+      text.word(low, "periodic").word(high, "periodic");
+      continue;
     }
     text.word(low, dice.word(stream && d == 0 ? std::vector<std::string>{"inflow", "inflow", "outflow", "wall"}
                                               : std::vector<std::string>{"outflow", "wall", "wall"}));

@@ -21,7 +21,7 @@ CaseText begin_scene(Dice& dice, const std::string& title, const std::string& sc
   write_time(text, stage, end_of(stage, flow.fastest, dice.whole(60, stage.dimension == 1 ? 400 : 150)));
   write_gas(text, dice, stage);
   write_flow(text, stage, flow);
-  write_coupling(text, dice, stage);
+  write_coupling(text, dice, stage, true);
   write_output(text, dice);
   return text;
 }

@@ -81,7 +81,8 @@ void write_head(CaseText& text, const std::string& title, const std::string& sch
 void write_time(CaseText& text, const Stage& stage, double end);
 void write_gas(CaseText& text, Dice& dice, const Stage& stage);
 void write_flow(CaseText& text, const Stage& stage, const Flow& flow);
-void write_sides(CaseText& text, Dice& dice, const Stage& stage, const Flow& flow);
+/// `repeat`: sides may be periodic.
+void write_sides(CaseText& text, Dice& dice, const Stage& stage, const Flow& flow, bool repeat = true);
 void write_output(CaseText& text, Dice& dice);
 
 // stress_places.cpp
@@ -116,7 +117,8 @@ Material draw_material(Dice& dice, const Stage& stage);
 void write_material(CaseText& text, const Material& material);
 /// By how much pressures must be smaller than the gas's for strains of the material to be small.
 double weakness_of(const Stage& stage, const Material& material);
-void write_coupling(CaseText& text, Dice& dice, const Stage& stage);
+/// `round`: interfaces are circles or straight, on which the gas may have other faces than the solid.
+void write_coupling(CaseText& text, Dice& dice, const Stage& stage, bool round);
 std::string draw_interface_scheme(Dice& dice);
 Scene plane_solids(Dice& dice, const std::string& title);
 Scene mixed_plane(Dice& dice, const std::string& title);

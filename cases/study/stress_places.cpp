@@ -94,7 +94,8 @@ std::vector<Place> place_close(Dice& dice, const Stage& stage, std::vector<Shape
     const double half = stick ? 0.5 * shapes[k].measures[0] : shapes[k].measures[0];  // along x at angle 0
     const double gap = h * dice.between(3.1, dice.chance(0.6) ? 3.3 : 8);
     Place place;
-    place.position[0] = k == 0 && !at_wall ? -dice.between(0.2, 0.6) * stage.high[0] : end + gap + half;
+    place.position[0] = end + gap + half;
+    if (k == 0 && !at_wall) place.position[0] = std::max(place.position[0], dice.between(0.4, 0.8) * stage.low[0]);
     place.position[1] = row || k == 0 ? 0.0 : Dice::rounded(shapes[k].radius * dice.between(-0.3, 0.3));
     end = place.position[0] + half;
     if (end + 3.1 * h > stage.high[0]) break;

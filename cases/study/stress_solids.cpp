@@ -17,7 +17,7 @@ CaseText begin_scene(Dice& dice, const std::string& title, const std::string& sc
   write_gas(text, dice, stage);
   write_sides(text, dice, stage, flow);
   write_flow(text, stage, flow);
-  write_coupling(text, dice, stage);
+  write_coupling(text, dice, stage, false);
   write_output(text, dice);
   return text;
 }
@@ -36,7 +36,11 @@ void write_solid(CaseText& text, Dice& dice, const Stage& stage, const Material&
 /// Solids with room for a grid inside.
 std::vector<Shape> draw_shapes(Dice& dice, const Stage& stage, int count) {
   std::vector<Shape> shapes;
-  for (int k = 0; k < count; ++k) shapes.push_back(draw_shape(dice, stage, 0.4, 2.5 * stage.spacing() / stage.length));
+  for (int k = 0; k < count; ++k) {
+    shapes.push_back(draw_shape(dice, stage, 0.4, 7 * stage.spacing() / stage.length));
+    Shape& shape = shapes.back();
+    if (shape.fillet > 0) shape.fillet = std::max(shape.fillet, Dice::rounded(2 * stage.spacing()));
+  }
   return shapes;
 }
 
@@ -85,12 +89,12 @@ double weakness_of(const Stage& stage, const Material& m) {
   return std::min(m.mu / (stage.gamma * stage.shifted_pressure()), m.speed() / stage.sound);
 }
 
-void write_coupling(CaseText& text, Dice& dice, const Stage& stage) {
+void write_coupling(CaseText& text, Dice& dice, const Stage& stage, bool round) {
   text.table("coupling").number("reference_pressure", stage.pressure());
   if (dice.chance(0.3)) text.word("fsrp", "linear");
   if (dice.chance(0.3)) text.word("load", "reference");
   if (dice.chance(0.3)) text.word("wall_velocity", "lagged");
-  if (dice.chance(0.2)) text.number("face_ratio", dice.pick<double>({0.5, 2, 0.7, 1.6}));
+  if (dice.chance(0.2) && round) text.number("face_ratio", dice.pick<double>({0.5, 2, 0.7, 1.6}));
   if (dice.chance(0.5)) return;
   text.table("solid").word("limiter", dice.word({"none", "minmod", "mc"}));
   if (dice.chance(0.5)) text.number("null_mode_upwinding", 1);
