@@ -47,7 +47,11 @@ class ContactSolver {
 
  private:
   BodyVector<Dim> direction(int body, const ContactPoint<Dim>& contact) const {
-    return generalized_normal<Dim>(contact.normal, contact.point - bodies_[static_cast<std::size_t>(body)].position);
+    const ContactBody<Dim>& of = bodies_[static_cast<std::size_t>(body)];
+    Point<Dim> arm = Point<Dim>::Zero();  // round bodies: along the normal
+    if (!of.round) arm = contact.point - of.position;
+    if (!of.round && body == contact.b) arm -= contact.shift;
+    return generalized_normal<Dim>(contact.normal, arm);
   }
 
   double normal_velocity(const ContactPoint<Dim>& contact) const {

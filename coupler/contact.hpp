@@ -23,6 +23,7 @@ struct ContactPoint {
   Point<Dim> normal = Point<Dim>::Zero();  // unit, from a to b
   Point<Dim> point = Point<Dim>::Zero();   // where the impulse acts
   double gap = 0;                          // distance; negative: overlapping
+  Point<Dim> shift = Point<Dim>::Zero();   // by which b is moved here, where the domain is periodic
 };
 
 /// A body as contact sees it.
@@ -31,6 +32,7 @@ struct ContactBody {
   Point<Dim> position = Point<Dim>::Zero();            // centre of mass
   BodyVector<Dim> velocity = BodyVector<Dim>::Zero();  // before contact; held degrees with their prescribed velocity
   BodyMatrix<Dim> inverse_mass = BodyMatrix<Dim>::Zero();  // Δy per impulse, symmetric positive semidefinite; held: 0
+  bool round = false;  // a circle: contact without friction cannot turn it, whatever round-off is in the contact points
 };
 
 struct ContactOptions {

@@ -22,6 +22,7 @@ struct CoupledBody {
   BodyStep<Dim> step;
   std::vector<WallFace<Dim>> faces;
   Point<Dim> position = Point<Dim>::Zero();  // centre of mass, of which contact points take their arms
+  bool round = false;                        // a circle
 };
 
 /// advance_added_mass or advance_traditional.

@@ -152,10 +152,23 @@ void DeformingInterface::start(std::span<const WallTrace<2>> fluid, const WallLa
   pressure_ = solution.pressure;
 }
 
+/// A step that leaves the interface without an answer or the fluid without a grid is not admissible: a shorter one may be.
 DeformingInterface::Step DeformingInterface::solve(std::span<const WallTrace<2>> fluid, const WallLaw& law, double time, double dt, const Pace& pace) {
   Step step;
   step.pace = pace;
   step.displacement = displacement_;
+  try {
+    answer(step, fluid, law, time, dt);
+  } catch (const NumericalError& error) {
+    step.admissible = false;
+    step.trouble = error.what();
+    step.node_velocity = velocity_;
+  }
+  return step;
+}
+
+void DeformingInterface::answer(Step& step, std::span<const WallTrace<2>> fluid, const WallLaw& law, double time, double dt) {
+  const Pace& pace = step.pace;
   InterfaceProblem problem;
   if (pace.substeps > 1) {
     take_substeps(step, fluid, law, time, dt, problem);
@@ -169,13 +182,12 @@ DeformingInterface::Step DeformingInterface::solve(std::span<const WallTrace<2>>
   for (std::size_t k = 0; k < displacement_.size(); ++k) step.node_velocity.push_back((step.displacement[k] - displacement_[k]) / dt);
   for (const Point<2>& u : step.displacement)
     if (!u.allFinite()) throw NumericalError("the interface of solid " + setup_.name + " has no finite velocity");
-  if (!step.admissible) return step;
+  if (!step.admissible) return;
   step.mesh = follow(step.displacement);
   areas_ = wall_areas(*mesh_, *step.mesh);
   problem.area = areas_;
   for (std::size_t i = 0; i < areas_.size(); ++i) step.force -= (step.solution.load[i] - setup_.options.reference_pressure) * areas_[i];
   if (pace.substeps == 1) step.solution.traction = tractions(problem, step.solution.load, setup_.options);
-  return step;
 }
 
 /// Moves the nodes over `dt`, the part `share` of a step of the structure, of which traces_ are the middle.

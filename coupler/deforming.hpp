@@ -69,7 +69,8 @@ class DeformingInterface {
     std::shared_ptr<const GrownGrid> mesh;  // of the fluid at t + Δt
     Point<2> force = Point<2>::Zero();
     Pace pace;
-    bool admissible = true;  // of the substeps already taken
+    bool admissible = true;  // of the interface and of the substeps already taken
+    std::string trouble;     // why the interface is not
   };
 
   /// `grid`: the fluid's at t = 0, before any displacement. The structure is not owned. Throws InputError when the nodes
@@ -115,6 +116,7 @@ class DeformingInterface {
   std::vector<Point<2>> predicted_areas(double from_now) const;
   InterfaceSolution ask(std::span<const FluidTrace> fluid, const WallLaw& law, double from_now, InterfaceProblem& problem);
   void move_nodes(std::vector<Point<2>>& displacement, const InterfaceSolution& solution, double dt, double share) const;
+  void answer(Step& step, std::span<const WallTrace<2>> fluid, const WallLaw& law, double time, double dt);
   void take_substeps(Step& step, std::span<const WallTrace<2>> fluid, const WallLaw& law, double time, double dt, InterfaceProblem& problem);
 
   InterfaceSetup setup_;

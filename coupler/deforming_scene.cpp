@@ -150,7 +150,9 @@ void DeformingScene::accept(const Steps& steps, double time, double dt, const St
   end_ = waits ? stride.end : 0;
 }
 
-std::string DeformingScene::first_bad_cell() const {
+std::string DeformingScene::first_bad_cell(const Steps& steps) const {
+  for (const DeformingInterface::Step& step : steps)
+    if (!step.trouble.empty()) return step.trouble;
   for (const ElasticSolver* solid : alone_) {
     const std::string bad = solid->first_bad_cell();
     if (!bad.empty()) return bad;

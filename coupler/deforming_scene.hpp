@@ -62,7 +62,8 @@ class DeformingScene {
   void reject(const Steps& steps);
   /// time: after the step.
   void accept(const Steps& steps, double time, double dt, const Stride& stride);
-  std::string first_bad_cell() const;
+  /// Why an interface has no answer in these steps, or the first bad cell of a structure.
+  std::string first_bad_cell(const Steps& steps) const;
 
   /// Bound of what the changes of velocity add to the fluid's wave rates.
   double extra_rate(const Steps& steps) const;

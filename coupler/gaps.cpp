@@ -1,31 +1,104 @@
 #include "mortise/coupler/gaps.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "mortise/grids/geometry/frame.hpp"
 #include "mortise/grids/geometry/neighbors.hpp"
+#include "mortise/grids/overlap/periods.hpp"
 
 namespace mortise {
 namespace {
 
 Box<2> bounds(const GapBody<2>& body) { return Frame<2>(body.pose).to_space(body.outline->bounds()); }
 
-ContactPoint<2> gap_between(const std::vector<GapBody<2>>& bodies, int a, int b) {
-  const auto &A = bodies[static_cast<std::size_t>(a)], &B = bodies[static_cast<std::size_t>(b)];
+ContactPoint<2> gap_between(const GapBody<2>& A, const GapBody<2>& B) {
   Point<2> on_a, on_b;
   const double gap = outline_distance(*A.outline, A.pose, *B.outline, B.pose, &on_a, &on_b);
   const Point<2> apart = gap != 0 ? Point<2>((on_b - on_a) / gap) : Point<2>(B.pose.position - A.pose.position);
-  return {a, b, apart.normalized(), 0.5 * (on_a + on_b), gap};
+  ContactPoint<2> contact;
+  contact.normal = apart.normalized();
+  contact.point = 0.5 * (on_a + on_b);
+  contact.gap = gap;
+  return contact;
 }
 
-/// The point of the body that is farthest along `direction`.
-Point<2> support(const GapBody<2>& body, const Point<2>& direction) {
+constexpr std::size_t vertex_step = 16;  // of an outline's vertices every so manieth is looked at for the ends of a flat side
+
+/// Of points in the order in which they are offered the two that are farthest apart along a tangent.
+struct Ends {
+  Point<2> tangent;
+  ContactPoint<2> low, high;
+  double from = 1e300, to = -1e300;
+
+  void offer(const ContactPoint<2>& contact) {
+    const double s = contact.point.dot(tangent);
+    if (s < from) from = s, low = contact;
+    if (s > to) to = s, high = contact;
+  }
+};
+
+/// The closest points, and where flat sides face each other the ends of what is closer than `within`: one pair of
+/// points would let them turn into each other.
+void with_ends(const ContactPoint<2>& closest, const Ends& ends, double within, std::vector<ContactPoint<2>>& contacts) {
+  contacts.push_back(closest);
+  const double s = closest.point.dot(ends.tangent);
+  if (s - ends.from > 0.25 * within) contacts.push_back(ends.low);
+  if (ends.to - s > 0.25 * within) contacts.push_back(ends.high);
+}
+
+/// Points of the outline of `of` and the points of the other one that are nearest to them, if closer than `within`.
+void offer_points(const GapBody<2>& of, const GapBody<2>& other, double within, double direction, Ends& ends) {
+  const Frame<2> frame(of.pose), other_frame(other.pose);
+  const std::vector<Point<2>>& vertices = of.outline->polygon();
+  for (std::size_t k = 0; k < vertices.size(); k += vertex_step) {
+    const Point<2> x = frame.to_space(vertices[k]);
+    const StripTree::Nearest nearest = other.outline->tree().nearest(other_frame.to_body(x));
+    if (!(nearest.distance > 0) || nearest.distance >= within) continue;
+    const Point<2> y = other_frame.to_space(nearest.point);
+    ContactPoint<2> contact;
+    contact.normal = direction * (y - x) / nearest.distance;
+    contact.point = 0.5 * (x + y);
+    contact.gap = nearest.distance;
+    ends.offer(contact);
+  }
+}
+
+std::vector<ContactPoint<2>> contacts_between(const GapBody<2>& A, const GapBody<2>& B, double within) {
+  const ContactPoint<2> closest = gap_between(A, B);
+  std::vector<ContactPoint<2>> contacts;
+  if (closest.gap >= within) return contacts;
+  Ends ends{Point<2>(-closest.normal[1], closest.normal[0]), closest, closest};
+  if (closest.gap > 0 && !is_round(*A.outline) && !is_round(*B.outline)) {
+    offer_points(A, B, within, 1, ends);
+    offer_points(B, A, within, -1, ends);
+  }
+  with_ends(closest, ends, within, contacts);
+  return contacts;
+}
+
+/// The point of the body that is nearest to an edge of the domain, the plane n·x = `at` behind which there is nothing.
+std::vector<ContactPoint<2>> contacts_with_edge(const GapBody<2>& body, const Point<2>& normal, double at, double within) {
   const Frame<2> frame(body.pose);
-  const Point<2> local(frame.to_body(body.pose.position + direction));
-  const Point<2>* best = nullptr;
-  for (const Point<2>& X : body.outline->polygon())
-    if (!best || X.dot(local) > best->dot(local)) best = &X;
-  return frame.to_space(*best);
+  const auto contact_at = [&](const Point<2>& X) {
+    ContactPoint<2> contact;
+    contact.normal = normal;
+    contact.point = frame.to_space(X);
+    contact.gap = at - contact.point.dot(normal);
+    return contact;
+  };
+  const std::vector<Point<2>>& vertices = body.outline->polygon();
+  ContactPoint<2> closest = contact_at(vertices.front());
+  for (const Point<2>& X : vertices)
+    if (const ContactPoint<2> contact = contact_at(X); contact.gap < closest.gap) closest = contact;
+  std::vector<ContactPoint<2>> contacts;
+  if (closest.gap >= within) return contacts;
+  Ends ends{Point<2>(-normal[1], normal[0]), closest, closest};
+  if (!is_round(*body.outline))
+    for (std::size_t k = 0; k < vertices.size(); k += vertex_step)
+      if (const ContactPoint<2> contact = contact_at(vertices[k]); contact.gap < within) ends.offer(contact);
+  with_ends(closest, ends, within, contacts);
+  return contacts;
 }
 
 double face(const GapBody<1>& body, double direction) {
@@ -34,16 +107,54 @@ double face(const GapBody<1>& body, double direction) {
 
 Box<1> bounds(const GapBody<1>& body) { return {Point<1>(face(body, -1)), Point<1>(face(body, 1))}; }
 
-ContactPoint<1> gap_between(const std::vector<GapBody<1>>& bodies, int a, int b) {
-  const auto &A = bodies[static_cast<std::size_t>(a)], &B = bodies[static_cast<std::size_t>(b)];
+ContactPoint<1> gap_between(const GapBody<1>& A, const GapBody<1>& B) {
   const double direction = face(B, -1) + face(B, 1) > face(A, -1) + face(A, 1) ? 1 : -1;
-  const double gap = direction * (face(B, -direction) - face(A, direction));
-  return {a, b, Point<1>(direction), Point<1>(0.5 * (face(B, -direction) + face(A, direction))), gap};
+  ContactPoint<1> contact;
+  contact.normal[0] = direction;
+  contact.point[0] = 0.5 * (face(B, -direction) + face(A, direction));
+  contact.gap = direction * (face(B, -direction) - face(A, direction));
+  return contact;
 }
 
-Point<1> support(const GapBody<1>& body, const Point<1>& direction) { return Point<1>(face(body, direction[0])); }
+std::vector<ContactPoint<1>> contacts_between(const GapBody<1>& A, const GapBody<1>& B, double within) {
+  const ContactPoint<1> contact = gap_between(A, B);
+  if (contact.gap >= within) return {};
+  return {contact};
+}
+
+std::vector<ContactPoint<1>> contacts_with_edge(const GapBody<1>& body, const Point<1>& normal, double at, double within) {
+  ContactPoint<1> contact;
+  contact.normal = normal;
+  contact.point[0] = face(body, normal[0]);
+  contact.gap = at - contact.point.dot(normal);
+  if (!std::isfinite(contact.gap) || contact.gap >= within) return {};
+  return {contact};
+}
+
+/// Of body a with the images of body b.
+template <int Dim>
+void add_contacts(const std::vector<GapBody<Dim>>& bodies, int a, int b, const std::vector<Point<Dim>>& images, double within,
+                  std::vector<ContactPoint<Dim>>& all) {
+  for (const Point<Dim>& shift : images) {
+    GapBody<Dim> image = bodies[static_cast<std::size_t>(b)];
+    image.pose.position += shift;
+    for (ContactPoint<Dim>& contact : contacts_between(bodies[static_cast<std::size_t>(a)], image, within)) {
+      contact.a = a;
+      contact.b = b;
+      contact.shift = shift;
+      all.push_back(contact);
+    }
+  }
+}
 
 }  // namespace
+
+bool is_round(const Outline& outline) {
+  const double radius = outline.mean_radius();
+  return std::ranges::all_of(outline.polygon(), [&](const Point<2>& vertex) {
+    return std::abs((vertex - outline.centroid()).norm() - radius) <= 1e-8 * radius;
+  });
+}
 
 template <int Dim>
 std::vector<ContactPoint<Dim>> find_gaps(const std::vector<GapBody<Dim>>& bodies, const Box<Dim>& domain, const std::array<bool, Dim>& periodic,
@@ -51,15 +162,12 @@ std::vector<ContactPoint<Dim>> find_gaps(const std::vector<GapBody<Dim>>& bodies
   std::vector<ContactPoint<Dim>> gaps;
   std::vector<Box<Dim>> boxes;
   for (const GapBody<Dim>& body : bodies) boxes.push_back(bounds(body));
+  const Periods<Dim> periods(domain, periodic);
   const int n = static_cast<int>(bodies.size());
   for (int a = 0; a < n; ++a) {
     const Box<Dim> near = boxes[static_cast<std::size_t>(a)].grown(within);
     const GapBody<Dim>& body = bodies[static_cast<std::size_t>(a)];
-    for (int b = a + 1; b < n; ++b) {
-      if (!near.meets(boxes[static_cast<std::size_t>(b)])) continue;
-      const ContactPoint<Dim> point = gap_between(bodies, a, b);
-      if (point.gap < within) gaps.push_back(point);
-    }
+    for (int b = a + 1; b < n; ++b) add_contacts(bodies, a, b, periods.images(boxes[static_cast<std::size_t>(b)], near), within, gaps);
     for (int d = 0; d < Dim; ++d)
       for (const double sign : {-1.0, 1.0}) {
         if (periodic[static_cast<std::size_t>(d)]) continue;
@@ -67,9 +175,10 @@ std::vector<ContactPoint<Dim>> find_gaps(const std::vector<GapBody<Dim>>& bodies
         if (sign * (edge - (sign < 0 ? near.low[d] : near.high[d])) > 0) continue;
         Point<Dim> normal = Point<Dim>::Zero();
         normal[d] = sign;
-        const Point<Dim> tip = support(body, normal);
-        const double gap = sign * (edge - tip[d]);
-        if (std::isfinite(gap) && gap < within) gaps.push_back({a, -1, normal, tip, gap});
+        for (ContactPoint<Dim>& contact : contacts_with_edge(body, normal, sign * edge, within)) {
+          contact.a = a;
+          gaps.push_back(contact);
+        }
       }
   }
   return gaps;

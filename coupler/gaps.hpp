@@ -18,6 +18,9 @@ struct GapBody {
   Pose<Dim> pose;
 };
 
+/// The outline is a circle about its centroid.
+bool is_round(const Outline& outline);
+
 /// Closest points of all pairs of bodies, and of bodies and sides of the domain, that are closer than `within`. Sides of
 /// periodic directions do not count. Only pairs whose bounding boxes are that close are looked at.
 template <int Dim>

@@ -7,10 +7,11 @@
 //   advance         fluid: every grid, body grids along the path of their body, wall faces with the scheme's pressure;
 //                   solids with the scheme's tractions
 //   correct grids   cut holes for the new poses, interpolate fringe and exposed cells, fill ghosts
-// A step whose state is not admissible, or whose walls turn out faster than Δt allows, is repeated with a smaller Δt. The
+// A step whose state is not admissible, or whose walls turn out faster than Δt allows, is repeated with a smaller Δt, and
+// where gas of next to no pressure stays inadmissible with first order in the fluid. The
 // coupling counts as unstable when a body that nothing but gas pushes moves faster than runaway_factor times the fastest wave of the initial
-// state, which no gas can make it do, and when repeated steps outnumber half the others by more than repeat_limit: small Δt
-// would then only hide that the coupling does not hold.
+// state, which no gas can make it do, and when steps repeated with a much smaller Δt outnumber half the others by more than
+// repeat_limit: small Δt would then only hide that the coupling does not hold.
 #pragma once
 
 #include <functional>
@@ -111,6 +112,7 @@ class Simulation {
   std::int64_t cells_skipped() const { return cells_skipped_; }  // left out, on this rank
   std::int64_t contacts() const { return contacts_; }           // contacts with an impulse, summed over the steps
   std::int64_t repeats() const { return repeats_; }             // steps repeated with a smaller Δt
+  std::int64_t first_order_steps() const { return first_order_steps_; }  // of the fluid, where it would have lost its pressure
 
   /// What a restart needs beside the fields and rates of the fluid: time, step, Δt and the motion of the bodies.
   std::vector<double> motion_state() const;
@@ -139,14 +141,15 @@ class Simulation {
   BodyVector<Dim> held_velocity(std::size_t body, double dt) const;
   Motion move(const Plan& plan);
   void move_bodies(Motion& motion, const std::vector<BodyPath<Dim>>& predicted, const std::vector<std::vector<WallTrace<Dim>>>& traces, double dt);
-  std::string inadmissible(const Motion& motion) const;
   std::vector<WallFace<Dim>> wall_faces(std::size_t body, const std::vector<WallTrace<Dim>>& traces, const Pose<Dim>& pose) const;
   CoupledBody<Dim> coupled_body(std::size_t body, const BodyPath<Dim>& predicted, const std::vector<WallTrace<Dim>>& traces, double dt) const;
   std::vector<ContactPoint<Dim>> near_contacts(double within) const;
   double extra_rate(const Motion& motion) const;
+  double a_moment() const;
   std::string runaway(const Motion& motion) const;
+  std::string departed(const Motion& motion) const;
   Motion attempt(Plan& plan);
-  bool step(const Motion& motion, const Plan& plan);
+  bool step(const Motion& motion, const Plan& plan, bool first_order);
   void accept(const Motion& motion, const Plan& plan);
 
   Communicator comm_;
@@ -163,8 +166,8 @@ class Simulation {
   Plan last_plan_{};  // of the last step
   double time_ = 0, last_step_ = 0;
   double fastest_wave_ = 0;  // |u| + c of the initial state, at most
-  std::int64_t step_ = 0, cell_updates_ = 0, cells_skipped_ = 0, contacts_ = 0, repeats_ = 0;
-  int restless_ = 0;  // 2 × repeated steps − others, at least 0
+  std::int64_t step_ = 0, cell_updates_ = 0, cells_skipped_ = 0, contacts_ = 0, repeats_ = 0, first_order_steps_ = 0;
+  int restless_ = 0;  // 2 × repeated steps (but for adjusted ones) − others, at least 0
 };
 
 }  // namespace mortise

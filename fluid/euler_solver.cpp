@@ -17,13 +17,16 @@ void EulerSolver<Dim>::initialize(const StateFunction<Dim>& initial, const std::
     filler_[Dim + 1] = hole.energy;
   }
   move_bodies(at);
+  std::array<bool, Dim> periodic{};
+  for (std::size_t d = 0; d < Dim; ++d) periodic[d] = has_background() && grids_.front().periodic[d];
+  const Periods<Dim> periods(setup_.domain, periodic);  // bodies may reach beyond the domain
   for (std::size_t g = 0; g < grids_.size(); ++g)
     for (int t = 0; t < now_[g].tiles(); ++t) {
       for (TileBlock* block : {&now_[g].tile(t), &next_[g].tile(t)})
         for (int c = 0; c < components; ++c)
           std::fill_n(block->component(c), grids_[g].shape.plane, filler_[static_cast<std::size_t>(c)]);
       for_each_cell<Dim>(grids_[g].shape, 0, [&](const Index<Dim>& c) {
-        const auto state = [&](const Point<Dim>& x) { return to_conserved(initial(x, time), setup_.gas.gamma); };
+        const auto state = [&](const Point<Dim>& x) { return to_conserved(initial(periods.near(x, setup_.domain), time), setup_.gas.gamma); };
         const int grid = static_cast<int>(g);
         put<Dim>(now_[g].tile(t), grids_[g].shape.at(c),
                  setup_.smooth ? mean_state<Dim>(cell_corners(grid, t, c), state) : state(cell_center(grid, t, c)));

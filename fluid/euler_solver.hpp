@@ -113,8 +113,9 @@ class EulerSolver {
   std::vector<std::vector<WallTrace<Dim>>> wall_traces(const std::vector<BodyPath<Dim>>& paths, double dt);
 
   /// Advances every grid by dt while bodies follow `paths`; `pressure` holds p̃ on the wall faces of every body. The new
-  /// state is kept aside until commit(). Returns false when a density or pressure is not positive. Collective.
-  bool step(const std::vector<BodyPath<Dim>>& paths, const std::vector<std::vector<double>>& pressure, double dt);
+  /// state is kept aside until commit(). Returns false when a density or pressure is not positive: that can be where gas
+  /// is next to nothing, and then a step of first order gets over it. Collective.
+  bool step(const std::vector<BodyPath<Dim>>& paths, const std::vector<std::vector<double>>& pressure, double dt, bool first_order = false);
   /// Accepts the last step: bodies at the ends of its paths, time after the step. Cuts, interpolates, fills ghosts.
   void commit(const std::vector<BodyPath<Dim>>& paths, double time);
   /// Grid, index, position and state of the first inadmissible cell of the rejected step; empty if there is none. Collective.
@@ -176,7 +177,8 @@ class EulerSolver {
   Point<Dim> end_center(int grid, int tile, const Index<Dim>& cell, const BodyPath<Dim>& path) const;
   Pose<Dim> pose_of(int grid) const;
   Values value_in(int grid, int tile, const Index<Dim>& cell, const Point<Dim>& within) const;
-  StepResult step_tile(int grid, int tile, const std::vector<BodyPath<Dim>>& paths, const std::vector<std::vector<double>>& pressure, double dt);
+  StepResult step_tile(int grid, int tile, const std::vector<BodyPath<Dim>>& paths, const std::vector<std::vector<double>>& pressure, double dt,
+                       const StepOptions& options);
   CartesianTile<Dim> cartesian(int grid, int tile);
   FittedTile<Dim> fitted(int grid, int tile);
 

@@ -46,9 +46,9 @@ FittedTile<Dim> EulerSolver<Dim>::fitted(int g, int t) {
 
 template <int Dim>
 StepResult EulerSolver<Dim>::step_tile(int g, int t, const std::vector<BodyPath<Dim>>& paths, const std::vector<std::vector<double>>& pressure,
-                                       double dt) {
+                                       double dt, const StepOptions& options) {
   const ComponentGrid<Dim>& grid = grids_[static_cast<std::size_t>(g)];
-  if (grid.background()) return godunov_step(cartesian(g, t), dt, setup_.options);
+  if (grid.background()) return godunov_step(cartesian(g, t), dt, options);
   const auto body = static_cast<std::size_t>(grid.body);
   place(g, t, paths[body], dt, 0.5);
   FittedTile<Dim> tile = fitted(g, t);
@@ -68,7 +68,7 @@ StepResult EulerSolver<Dim>::step_tile(int g, int t, const std::vector<BodyPath<
       tile.east_mirror = mirror(1, first[0] + grid.shape.cells[0] == grid.cells[0]);
       tile.north_mirror = mirror(3, first[1] + grid.shape.cells[1] == grid.cells[1]);
     }
-  return godunov_step(tile, dt, setup_.options);
+  return godunov_step(tile, dt, options);
 }
 
 /// The tile lies on a wall; tiles of meshes may be farther out.
@@ -79,8 +79,10 @@ bool EulerSolver<Dim>::carries_wall(int g, int t) const {
 }
 
 template <int Dim>
-bool EulerSolver<Dim>::step(const std::vector<BodyPath<Dim>>& paths, const std::vector<std::vector<double>>& pressure, double dt) {
+bool EulerSolver<Dim>::step(const std::vector<BodyPath<Dim>>& paths, const std::vector<std::vector<double>>& pressure, double dt, bool first_order) {
   const auto scope = timers_("fluid");
+  StepOptions options = setup_.options;
+  if (first_order) options.limiter = Limiter::flat;
   count_ = {};
   bool admissible = true;
   for (std::size_t g = 0; g < grids_.size(); ++g)
@@ -94,7 +96,7 @@ bool EulerSolver<Dim>::step(const std::vector<BodyPath<Dim>>& paths, const std::
         continue;
       }
       if (mask.cut() && mask.active_count == 0 && mask.hole) continue;
-      const StepResult result = step_tile(static_cast<int>(g), t, paths, pressure, dt);
+      const StepResult result = step_tile(static_cast<int>(g), t, paths, pressure, dt, options);
       computed_[g][tile] = 1;
       new_rates_[g][tile] = result.rate;
       admissible = admissible && result.admissible;

@@ -27,6 +27,8 @@ auto with_limiter(Limiter limiter, Action action) {
       return action.template operator()<Limiter::minmod>();
     case Limiter::mc:
       return action.template operator()<Limiter::mc>();
+    case Limiter::flat:
+      return action.template operator()<Limiter::flat>();
     case Limiter::van_albada:
       break;
   }

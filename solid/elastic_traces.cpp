@@ -77,7 +77,10 @@ ElasticTrace trace_of(const ElasticTile& tile, int i, int j, Side side, double d
   const CellGeometry cell = cell_geometry(tile, i, j);
   const Vec S = outward(cell, side), N = (1 / length(S)) * S;
   const double factor = 0.5 * dt / cell.area;
-  const State now = at_face(W, h, side);
+  State start = W;
+  Slopes<State> h_start = h;
+  system.ensure_admissible_faces(W, start, h_start);
+  const State now = at_face(start, h_start, side);
   State half = system.half_step(
       W, h, HalfStepMetrics<Vec, Vec, double>{cell.west + cell.east, cell.south + cell.north, factor, factor});
   system.ensure_admissible_faces(W, half, h);

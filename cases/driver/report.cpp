@@ -79,7 +79,8 @@ template <int Dim>
 std::vector<double> RunReport<Dim>::totals_so_far() const {
   std::vector<double> totals = initial_totals_.state();
   for (const std::int64_t count :
-       {tight_, earlier_contacts_ + simulation_.contacts(), earlier_repeated_steps_ + simulation_.repeats()})
+       {tight_, earlier_contacts_ + simulation_.contacts(), earlier_repeated_steps_ + simulation_.repeats(),
+        earlier_first_order_steps_ + simulation_.first_order_steps()})
     totals.push_back(static_cast<double>(count));
   for (const TimeNorms* norms : {&interface_velocity_, &interface_position_, &interface_pressure_}) {
     const std::vector<double> state = norms->state();
@@ -93,7 +94,7 @@ void RunReport<Dim>::resume(const std::vector<double>& totals) {
   const double* next = totals.data();
   initial_totals_.resume(next);
   next += SceneTotals<Dim>::size;
-  for (std::int64_t* count : {&tight_, &earlier_contacts_, &earlier_repeated_steps_})
+  for (std::int64_t* count : {&tight_, &earlier_contacts_, &earlier_repeated_steps_, &earlier_first_order_steps_})
     *count = static_cast<std::int64_t>(*next++);
   for (TimeNorms* norms : {&interface_velocity_, &interface_position_, &interface_pressure_}) {
     norms->resume(next);
@@ -153,6 +154,7 @@ RunSummary RunReport<Dim>::collect(double wall_seconds) {
   add_solids(summary);
   summary.contacts = earlier_contacts_ + simulation_.contacts();
   summary.repeated_steps = earlier_repeated_steps_ + simulation_.repeats();
+  summary.first_order_steps = earlier_first_order_steps_ + simulation_.first_order_steps();
   summary.provenance = provenance();
   summary.case_text = description_.text;
   return summary;

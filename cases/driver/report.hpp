@@ -54,7 +54,7 @@ class RunReport {
   TimeNorms interface_velocity_, interface_position_, interface_pressure_;
   double last_time_ = 0;
   std::int64_t tight_ = 0;                                          // summed over the steps
-  std::int64_t earlier_contacts_ = 0, earlier_repeated_steps_ = 0;  // before the restart
+  std::int64_t earlier_contacts_ = 0, earlier_repeated_steps_ = 0, earlier_first_order_steps_ = 0;  // before the restart
 };
 
 }  // namespace mortise

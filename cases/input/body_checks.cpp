@@ -46,6 +46,13 @@ void check_dimension(const Node& root, const BodyDescription& b, const std::stri
     if (name != "x") reject(root, path + ".fixed", path + ".fixed must be [\"x\"] in 1D, not \"" + name + "\"");
 }
 
+void check_half_space(const Node& root, const CaseDescription& c, const BodyDescription& b, const std::string& path) {
+  if (b.shape == "half_space" && c.left == "periodic")
+    reject(root, path + ".shape",
+           path + ".shape = \"half_space\" cannot be in a periodic domain, where it would be everywhere: use slab, or other "
+                  "boundaries");
+}
+
 void check_freedom(const Node& root, const Freedom& f, const std::string& path) {
   const std::string motion = path + ".motion." + f.name;
   if (f.fixed && !f.motion.empty())
@@ -110,6 +117,7 @@ void check_body(const Node& root, const CaseDescription& c, std::size_t index) {
   const BodyDescription& b = c.bodies[index];
   const std::string path = "bodies." + std::to_string(index);
   check_dimension(root, b, path, c.dimension);
+  check_half_space(root, c, b, path);
   check_shape(root, b, path);
   const std::vector<Freedom> all = freedoms(b, c.dimension);
   for (const Freedom& f : all) check_freedom(root, f, path);

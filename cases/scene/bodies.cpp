@@ -89,6 +89,7 @@ void add_body(const CaseDescription& description, std::size_t index, double spac
   rigid.mass = from.density ? *from.density * built.mass : from.mass.value_or(0);
   rigid.inertia = from.density ? *from.density * built.inertia : from.inertia.value_or(0);
   rigid.length = built.length;
+  const double instant = 1e-6 * description.time_end;
   const std::string* motion[] = {&from.motion_x, &from.motion_y, &from.motion_angle};
   const std::string* force[] = {&from.force_x, &from.force_y, &from.torque};
   static constexpr const char* names[] = {"x", "y", "angle"};
@@ -105,7 +106,7 @@ void add_body(const CaseDescription& description, std::size_t index, double spac
     body.motion[degree] = function_of_time(*motion[entry], k < Dim ? 1 : radians);
     body.force[degree] = function_of_time(*force[entry]);
     rigid.held[degree] = body.motion[degree] || std::find(from.fixed.begin(), from.fixed.end(), names[entry]) != from.fixed.end();
-    if (rigid.held[degree]) rigid.y[k] = body.motion[degree] ? (body.motion[degree](1e-6) - body.motion[degree](0)) / 1e-6 : 0.0;
+    if (rigid.held[degree]) rigid.y[k] = body.motion[degree] ? (body.motion[degree](instant) - body.motion[degree](0)) / instant : 0.0;
   }
   shapes.push_back({fitted.shape.atlas, body.outline, rigid.pose, from.place, label});
   setup.fluid.bodies.push_back(std::move(fitted));

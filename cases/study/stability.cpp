@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// A scheme at one value of what varies.
-struct Point {
+struct SchemePoint {
   std::string scheme;
   double value = 0;
   std::vector<std::string> overrides;
@@ -36,11 +36,11 @@ std::vector<std::string> overrides_of(const StabilityOptions& options, const Sch
 }
 
 /// Measures all points, side by side.
-void measure(std::vector<Point>& points, const StabilityOptions& options, bool quiet) {
+void measure(std::vector<SchemePoint>& points, const StabilityOptions& options, bool quiet) {
   std::vector<Task> tasks;
   const std::string folder = options.output + "/members";
   std::vector<std::string> files;
-  for (const Point& point : points) {
+  for (const SchemePoint& point : points) {
     Task task;
     task.name = point.scheme + "_" + shown(point.value, "%.10g");
     files.push_back(folder + "/" + task.name + ".growth.json");
@@ -73,7 +73,7 @@ std::string ending(const GrowthRecord& growth) {
   return grows(growth) ? "grows" : "stable";
 }
 
-Table points_table(const std::vector<Point>& points, const std::string& key, const std::string& name) {
+Table points_table(const std::vector<SchemePoint>& points, const std::string& key, const std::string& name) {
   Table table;
   table.title = name + ": growth of small disturbances per step, measured and by theory";
   table.columns = {{"scheme", "scheme", ""},
@@ -85,7 +85,7 @@ Table points_table(const std::vector<Point>& points, const std::string& key, con
                    {"deviation", "deviation %", "%.2f"},
                    {"rate", "rate per time", "%.4g"},
                    {"steps", "steps", "%.0f"}};
-  for (const Point& p : points) {
+  for (const SchemePoint& p : points) {
     const GrowthRecord& g = p.growth;
     table.rows.push_back({p.scheme, p.value, g.ratio, ending(g), g.factor, g.predicted,
                           100 * (g.factor / g.predicted - 1), g.rate, g.steps});
@@ -121,14 +121,14 @@ std::vector<Threshold> thresholds(const StabilityOptions& options, const std::ve
     bool grows_low;
   };
   const auto look = [&](std::size_t scheme, double value) {
-    Point point;
+    SchemePoint point;
     point.scheme = schemes[scheme].name;
     point.value = value;
     point.overrides = overrides_of(options, schemes[scheme], key, value);
     return point;
   };
   std::vector<Threshold> found(schemes.size());
-  std::vector<Point> ends;
+  std::vector<SchemePoint> ends;
   for (std::size_t k = 0; k < schemes.size(); ++k) {
     found[k].scheme = schemes[k].name;
     found[k].predicted = predicted_threshold(options, schemes[k], key, low, high);
@@ -141,7 +141,7 @@ std::vector<Threshold> thresholds(const StabilityOptions& options, const std::ve
     if (const bool below = grows(ends[2 * k].growth); below != grows(ends[2 * k + 1].growth))
       open.push_back({k, low, high, below});
   while (!open.empty() && open.front().high > open.front().low * (1 + threshold_tolerance)) {
-    std::vector<Point> middles;
+    std::vector<SchemePoint> middles;
     for (const Bracket& b : open) middles.push_back(look(b.scheme, std::sqrt(b.low * b.high)));
     measure(middles, options, true);
     for (std::size_t k = 0; k < open.size(); ++k)
@@ -198,12 +198,12 @@ Table maps_table(const std::vector<StabilityMap>& maps) {
   return table;
 }
 
-Json data_of(const std::vector<Point>& points, const std::vector<Threshold>& all, const std::vector<StabilityMap>& maps,
+Json data_of(const std::vector<SchemePoint>& points, const std::vector<Threshold>& all, const std::vector<StabilityMap>& maps,
              const std::string& key, const std::string& name, double cfl) {
   Json data = {
       {"kind", "stability"},         {"case", name},         {"vary", key}, {"cfl", cfl}, {"points", Json::array()},
       {"thresholds", Json::array()}, {"maps", Json::array()}};
-  for (const Point& p : points) {
+  for (const SchemePoint& p : points) {
     const GrowthRecord& g = p.growth;
     data["points"].push_back({{"scheme", p.scheme},
                               {"value", p.value},
@@ -250,16 +250,16 @@ int study_stability(StabilityOptions options) {
   if (options.threshold && !(*least > 0 && *most > *least))
     throw InputError("--threshold: needs two values > 0 at least, between which to look");
   if (options.output.empty()) options.output = "output/stability_" + base.name;
-  std::vector<Point> points;
+  std::vector<SchemePoint> points;
   for (const SchemeVariant& scheme : schemes)
     for (const double value : vary.values) {
-      Point point;
+      SchemePoint point;
       point.scheme = scheme.name;
       point.value = value;
       point.overrides = overrides_of(options, scheme, vary.key, value);
       points.push_back(point);
     }
-  for (const Point& point : points) check_scene(read_case(options.case_name, point.overrides, options.cases_root));
+  for (const SchemePoint& point : points) check_scene(read_case(options.case_name, point.overrides, options.cases_root));
   measure(points, options, options.quiet);
   std::vector<Threshold> found;
   if (options.threshold) found = thresholds(options, schemes, vary.key, *least, *most);

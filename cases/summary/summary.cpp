@@ -81,6 +81,7 @@ Json to_json(const RunSummary& run) {
                      {"tight", run.overlap.tight}};
   json["contacts"] = run.contacts;
   json["repeated_steps"] = run.repeated_steps;
+  json["first_order_steps"] = run.first_order_steps;
   json["provenance"] = to_json(run.provenance, run.case_text);
   return json;
 }

@@ -81,6 +81,7 @@ struct RunSummary {
   OverlapSummary overlap;
   std::int64_t contacts = 0;        // impulses between bodies, or bodies and walls
   std::int64_t repeated_steps = 0;  // with half the Δt, after an inadmissible state
+  std::int64_t first_order_steps = 0;  // of the gas, where it would have lost its pressure otherwise
   Provenance provenance;
   std::string case_text;  // the case file with overrides appended
 };

@@ -47,6 +47,7 @@ Overlap<Dim>::Overlap(const Communicator& comm, std::vector<ComponentGrid<Dim>>&
                       Box<Dim> domain, OverlapOptions options)
     : comm_(comm), grids_(grids), bodies_(std::move(bodies)), domain_(domain), options_(options) {
   periodic_ = grids_.front().periodic;
+  periods_ = Periods<Dim>(domain_, periodic_);
   moved_.assign(bodies_.size(), 0);
   donor_tiles_.resize(grids_.size());
   donors_.resize(static_cast<std::size_t>(comm_.size()));
@@ -142,7 +143,7 @@ bool Overlap<Dim>::note_motion(const std::vector<Pose<Dim>>& poses, bool fresh) 
   touched_.assign(bodies_.size(), Box<Dim>{});
   for (std::size_t b = 0; b < bodies_.size(); ++b)
     for (std::size_t a = 0; a < bodies_.size(); ++a)
-      if (all || (restless[a] && (a == b || swept[a].meets(swept[b])))) touched_[b] = swept[b];
+      if (all || (restless[a] && (a == b || !periods_.images(swept[a], swept[b]).empty()))) touched_[b] = swept[b];
   return true;
 }
 
@@ -150,9 +151,13 @@ bool Overlap<Dim>::note_motion(const std::vector<Pose<Dim>>& poses, bool fresh) 
 /// it stays covered.
 template <int Dim>
 bool Overlap<Dim>::touches(std::size_t body, const Box<Dim>& box) const {
-  if (!touched_[body].meets(box)) return false;
-  return before_.empty() || near_interface(*now_[body].atlas, now_[body].frame, box) ||
-         near_interface(*before_[body].atlas, before_[body].frame, box);
+  for (const Point<Dim>& shift : periods_.images(touched_[body], box)) {
+    const Box<Dim> there{box.low - shift, box.high - shift};
+    if (before_.empty() || near_interface(*now_[body].atlas, now_[body].frame, there) ||
+        near_interface(*before_[body].atlas, before_[body].frame, there))
+      return true;
+  }
+  return false;
 }
 
 template <int Dim>
@@ -161,6 +166,17 @@ double Overlap<Dim>::edge_distance(const Point<Dim>& x) const {
   for (int d = 0; d < Dim; ++d)
     if (!periodic_[static_cast<std::size_t>(d)]) distance = std::min({distance, x[d] - domain_.low[d], domain_.high[d] - x[d]});
   return distance;
+}
+
+/// Distance of x from a body; reaches(): whether it is within what the body's grid can take a share in.
+template <int Dim>
+double Overlap<Dim>::distance(std::size_t body, const Point<Dim>& x) const {
+  return bodies_[body].atlas->distance(frames_[body].to_body(periods_.near(x, reaches_[body])));
+}
+
+template <int Dim>
+bool Overlap<Dim>::reaches(std::size_t body, const Point<Dim>& x) const {
+  return reaches_[body].contains(periods_.near(x, reaches_[body]));
 }
 
 template <int Dim>
@@ -172,7 +188,7 @@ template <int Dim>
 bool Overlap<Dim>::wanted_by_background(const Point<Dim>& x) const {
   const double edge = edge_distance(x);
   for (std::size_t b = 0; b < bodies_.size(); ++b)
-    if (reaches_[b].contains(x) && covers_background(bodies_[b], bodies_[b].atlas->distance(frames_[b].to_body(x)), edge)) return false;
+    if (reaches(b, x) && covers_background(bodies_[b], distance(b, x), edge)) return false;
   return edge > 0;
 }
 
@@ -182,9 +198,9 @@ bool Overlap<Dim>::wanted_by_body(int body, double own_distance, const Point<Dim
   const double edge = edge_distance(x);
   if (edge <= 0 || limit > edge) return false;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    if (static_cast<int>(b) == body || !reaches_[b].contains(x)) continue;
-    const double distance = bodies_[b].atlas->distance(frames_[b].to_body(x));
-    if (distance <= 0 || limit > distance) return false;
+    if (static_cast<int>(b) == body || !reaches(b, x)) continue;
+    const double from_it = distance(b, x);
+    if (from_it <= 0 || limit > from_it) return false;
   }
   return true;
 }
@@ -223,7 +239,7 @@ void Overlap<Dim>::cut_background(int g, bool fresh) {
     mask.active_count = grid.shape.count();
     Index<Dim> low = grid.shape.cells, high{};  // region with inactive cells
     for (std::size_t b = 0; b < bodies_.size(); ++b)
-      if (reaches_[b].meets(box)) cut_by_body(g, t, b, low, high);
+      for (const Point<Dim>& shift : periods_.images(reaches_[b], box)) cut_by_body(g, t, b, shift, low, high);
     if (fresh) tile.active_before = mask.active, tile.state_before.clear();
     std::swap(tile.low, low);
     std::swap(tile.high, high);
@@ -235,13 +251,15 @@ void Overlap<Dim>::cut_background(int g, bool fresh) {
   }
 }
 
-/// Takes from a background tile what a body covers; widens [low, high) to the cells concerned.
+/// Takes from a background tile what a body, or its image by `shift`, covers; widens [low, high) to the cells concerned.
 template <int Dim>
-void Overlap<Dim>::cut_by_body(int g, int t, std::size_t b, Index<Dim>& low, Index<Dim>& high) {
+void Overlap<Dim>::cut_by_body(int g, int t, std::size_t b, const Point<Dim>& shift, Index<Dim>& low, Index<Dim>& high) {
   const ComponentGrid<Dim>& grid = grids_[static_cast<std::size_t>(g)];
   const OverlapBody<Dim>& body = bodies_[b];
   const Box<Dim> covered = body.atlas->reach().grown(inner_reach(body) - (body.atlas->width() + 5 * body.spacing));  // body frame
-  const Box<Dim> in_space = frames_[b].to_space(covered);
+  Box<Dim> in_space = frames_[b].to_space(covered);
+  in_space.low += shift;
+  in_space.high += shift;
   const Index<Dim> first = grid.first_cell(t);
   Index<Dim> from, to;
   for (std::size_t d = 0; d < Dim; ++d) {
@@ -266,9 +284,9 @@ void Overlap<Dim>::cut_by_body(int g, int t, std::size_t b, Index<Dim>& low, Ind
   for_each_index<Dim>(from, row_end, [&](Index<Dim> c) {
     Index<Dim> global = c;
     for (std::size_t d = 0; d < Dim; ++d) global[d] += first[d];
-    const Point<Dim> X0 = frames_[b].to_body(grid.center(global));
+    const Point<Dim> X0 = frames_[b].to_body(grid.center(global) - shift);
     ++global[0];
-    const Point<Dim> step = frames_[b].to_body(grid.center(global)) - X0;
+    const Point<Dim> step = frames_[b].to_body(grid.center(global) - shift) - X0;
     double begin = 0, end = to[0] - from[0] - 1;  // part of the row within `covered`
     for (int d = 0; d < Dim; ++d) {
       if (std::fabs(step[d]) < 1e-12 * body.spacing) continue;
@@ -281,8 +299,8 @@ void Overlap<Dim>::cut_by_body(int g, int t, std::size_t b, Index<Dim>& low, Ind
       c[0] = from[0] + i;
       global[0] = first[0] + c[0];
       const Point<Dim> x = grid.center(global);
-      const double distance = body.atlas->distance(frames_[b].to_body(x));
-      if (distance <= 0 || (distance < reach && covers_background(body, distance, edge_distance(x)))) mask.active[grid.shape.at(c)] = 0;
+      const double from_body = body.atlas->distance(frames_[b].to_body(x - shift));
+      if (from_body <= 0 || (from_body < reach && covers_background(body, from_body, edge_distance(x)))) mask.active[grid.shape.at(c)] = 0;
     }
   });
 }
@@ -300,7 +318,7 @@ void Overlap<Dim>::cut_body_grid(int g, bool fresh) {
   };
   const Box<Dim> own = surroundings(body).grown(bodies_[body].atlas->width());  // the edge of the domain cuts as a body does
   bool alone = room.contains(own.low) && room.contains(own.high);
-  for (std::size_t b = 0; b < bodies_.size(); ++b) alone = alone && (b == body || !surroundings(b).meets(surroundings(body)));
+  for (std::size_t b = 0; b < bodies_.size(); ++b) alone = alone && (b == body || periods_.images(surroundings(b), surroundings(body)).empty());
   for (int t = 0; t < grid.forest.local_count(); ++t) {
     TileMask& mask = grid.masks[static_cast<std::size_t>(t)];
     TileOverlap& tile = tile_of(g, t);
@@ -422,10 +440,9 @@ double Overlap<Dim>::share(int grid, const Point<Dim>& x) const {
   // 1 on a body's grid near the wall, falling smoothly to 0 across the overlap; the background takes the rest.
   double background = 1, own = 0;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    if (!reaches_[b].contains(x)) continue;
-    const double distance = bodies_[b].atlas->distance(frames_[b].to_body(x));
+    if (!reaches(b, x)) continue;
     const double outer = (bodies_[b].layers - 2) * bodies_[b].spacing;
-    const double s = std::clamp((outer - distance) / (std::max(options_.overlap, 0.5) * bodies_[b].spacing), 0.0, 1.0);
+    const double s = std::clamp((outer - distance(b, x)) / (std::max(options_.overlap, 0.5) * bodies_[b].spacing), 0.0, 1.0);
     const double weight = s * s * (3 - 2 * s);
     background *= 1 - weight;
     if (static_cast<int>(b) == grids_[static_cast<std::size_t>(grid)].body) own = weight;

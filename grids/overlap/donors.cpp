@@ -89,16 +89,13 @@ void Overlap<Dim>::list_choices(int own_grid, const Point<Dim>& x, std::vector<C
   const bool own_background = own_grid >= 0 && own_body < 0;
   choices.clear();
   for (std::size_t b = 0; b < bodies_.size(); ++b)
-    if (static_cast<int>(b) != own_body && reaches_[b].contains(x)) choices.push_back({static_cast<int>(b), false});
+    if (static_cast<int>(b) != own_body && reaches(b, x)) choices.push_back({static_cast<int>(b), false});
   const std::size_t near = choices.size();
   bool inside_a_body = false;
   if (near > 1) {  // nearest body first
-    const auto distance = [&](const Choice& c) {
-      const auto b = static_cast<std::size_t>(c.body);
-      return bodies_[b].atlas->distance(frames_[b].to_body(x));
-    };
-    std::stable_sort(choices.begin(), choices.end(), [&](const Choice& a, const Choice& b) { return distance(a) < distance(b); });
-    inside_a_body = distance(choices.front()) <= 0;
+    const auto from_it = [&](const Choice& c) { return distance(static_cast<std::size_t>(c.body), x); };
+    std::stable_sort(choices.begin(), choices.end(), [&](const Choice& a, const Choice& b) { return from_it(a) < from_it(b); });
+    inside_a_body = from_it(choices.front()) <= 0;
   }
   const std::vector<Choice> bodies = near > 1 ? choices : std::vector<Choice>{};
   if (inside_a_body) choices.clear();
@@ -120,7 +117,7 @@ bool Overlap<Dim>::locate(const Choice& choice, const Point<Dim>& x, Candidate& 
     return on_background(x, found);
   }
   const auto b = static_cast<std::size_t>(choice.body);
-  const Point<Dim> X = frames_[b].to_body(x);
+  const Point<Dim> X = frames_[b].to_body(periods_.near(x, reaches_[b]));
   for (std::size_t d = 0; d < Dim; ++d) found.place[d] = X[static_cast<int>(d)];
   found.grid = component(choice.body, X);
   return found.grid >= 0 && locate_in(*bodies_[b].atlas, grids_[static_cast<std::size_t>(found.grid)].side, X, choice.tight, found.center, found.offset);

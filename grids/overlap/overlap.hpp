@@ -12,6 +12,8 @@
 // three grids, gaps too narrow for two full stencils) the donor may be clamped to the wall row of the neighbouring body's grid, or
 // be a single cell; such cells are counted as `tight`.
 //
+// Where the domain is periodic, bodies are there once in every period: of all images of a point the one nearest to the body counts.
+//
 // Everything here is a function of the poses alone, so the answer does not depend on the number of ranks.
 #pragma once
 
@@ -25,6 +27,7 @@
 #include "mortise/grids/geometry/frame.hpp"
 #include "mortise/grids/geometry/line_atlas.hpp"
 #include "mortise/grids/overlap/component_grid.hpp"
+#include "mortise/grids/overlap/periods.hpp"
 
 namespace mortise {
 
@@ -141,13 +144,15 @@ class Overlap {
   bool note_motion(const std::vector<Pose<Dim>>& poses, bool fresh);
   void cut_background(int grid, bool fresh);
   void cut_body_grid(int grid, bool fresh);
-  void cut_by_body(int grid, int tile, std::size_t body, Index<Dim>& low, Index<Dim>& high);
+  void cut_by_body(int grid, int tile, std::size_t body, const Point<Dim>& shift, Index<Dim>& low, Index<Dim>& high);
   void begin_cut(int grid, int tile, std::uint8_t active);
   void mark_fringe(int grid, int tile, Index<Dim> low, Index<Dim> high);
   void collect_receivers(int grid, int tile, const Index<Dim>& low, const Index<Dim>& high);
   void measure(std::size_t grid);
   bool touches(std::size_t body, const Box<Dim>& box) const;
   double edge_distance(const Point<Dim>& x) const;
+  double distance(std::size_t body, const Point<Dim>& x) const;
+  bool reaches(std::size_t body, const Point<Dim>& x) const;
   bool wanted_by_background(const Point<Dim>& x) const;
   bool wanted_by_body(int body, double own_distance, const Point<Dim>& x) const;
   bool covers_background(const OverlapBody<Dim>& body, double distance, double edge) const;
@@ -182,6 +187,7 @@ class Overlap {
   Box<Dim> domain_;
   OverlapOptions options_;
   std::array<bool, Dim> periodic_{};
+  Periods<Dim> periods_;
 
   std::vector<Pose<Dim>> poses_;
   std::vector<Frame<Dim>> frames_;
