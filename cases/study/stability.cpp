@@ -73,12 +73,13 @@ std::string ending(const GrowthRecord& growth) {
   return grows(growth) ? "grows" : "stable";
 }
 
-Table points_table(const std::vector<SchemePoint>& points, const std::string& key, const std::string& name) {
+Table points_table(const std::vector<SchemePoint>& points, const std::string& key, const CaseDescription& scene) {
+  const std::string name = scene.name, ratio = scene.bodies.empty() ? "z_s/z_f" : "m/(z Δt)";
   Table table;
   table.title = name + ": growth of small disturbances per step, measured and by theory";
   table.columns = {{"scheme", "scheme", ""},
                    {key, key, "%.4g"},
-                   {"ratio", "z_s/z_f or m/zΔt", "%.4g"},
+                   {"ratio", ratio, "%.4g"},
                    {"status", "status", ""},
                    {"measured", "measured", "%.5f"},
                    {"predicted", "predicted", "%.5f"},
@@ -198,11 +199,10 @@ Table maps_table(const std::vector<StabilityMap>& maps) {
   return table;
 }
 
-Json data_of(const std::vector<SchemePoint>& points, const std::vector<Threshold>& all, const std::vector<StabilityMap>& maps,
-             const std::string& key, const std::string& name, double cfl) {
-  Json data = {
-      {"kind", "stability"},         {"case", name},         {"vary", key}, {"cfl", cfl}, {"points", Json::array()},
-      {"thresholds", Json::array()}, {"maps", Json::array()}};
+Json data_of(const std::vector<SchemePoint>& points, const std::vector<Threshold>& all,
+             const std::vector<StabilityMap>& maps, const std::string& key, const CaseDescription& scene) {
+  Json data = {{"kind", "stability"},     {"case", scene.name},          {"vary", key},          {"cfl", scene.cfl},
+               {"points", Json::array()}, {"thresholds", Json::array()}, {"maps", Json::array()}};
   for (const SchemePoint& p : points) {
     const GrowthRecord& g = p.growth;
     data["points"].push_back({{"scheme", p.scheme},
@@ -259,14 +259,15 @@ int study_stability(StabilityOptions options) {
       point.overrides = overrides_of(options, scheme, vary.key, value);
       points.push_back(point);
     }
-  for (const SchemePoint& point : points) check_scene(read_case(options.case_name, point.overrides, options.cases_root));
+  for (const SchemePoint& point : points)
+    check_scene(read_case(options.case_name, point.overrides, options.cases_root));
   measure(points, options, options.quiet);
   std::vector<Threshold> found;
   if (options.threshold) found = thresholds(options, schemes, vary.key, *least, *most);
   const std::vector<StabilityMap> maps = maps_of(options, schemes, vary.key, *most);
   StudyFiles files;
-  files.data = data_of(points, found, maps, vary.key, base.name, base.cfl);
-  files.values = points_table(points, vary.key, base.name);
+  files.data = data_of(points, found, maps, vary.key, base);
+  files.values = points_table(points, vary.key, base);
   files.tables = {files.values};
   if (!found.empty()) files.tables.push_back(thresholds_table(found, vary.key));
   if (!maps.empty()) files.tables.push_back(maps_table(maps));

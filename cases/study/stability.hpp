@@ -15,8 +15,9 @@ struct StabilityOptions : StudyOptions {
   bool threshold = false;  // find where growth begins, between the least and the largest value
 };
 
-/// A disturbance grows when its factor per step exceeds this: between 1 and slow physical growth.
-inline constexpr double growing = 1 + 1e-6;
+/// A disturbance grows when its factor per step exceeds this: conserved quantities keep theirs at 1 up to what a few
+/// hundred steps can tell.
+inline constexpr double growing = 1 + 3e-4;
 
 /// The value between low and high, both > 0, at which `grows` changes, by bisection of the logarithm to a relative
 /// `tolerance`; NaN where it does not change.
