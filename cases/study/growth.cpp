@@ -15,7 +15,8 @@ namespace mortise {
 namespace {
 
 constexpr std::size_t first_steps = 6;  // are short, and the schemes' histories fill in them
-constexpr double round_off = 1e-15;     // relative amplitude at which a difference is one of round-off
+constexpr double outgrown = 1e3;        // energy over that of the noise
+constexpr double round_off = 1e-14;     // relative amplitude at which a difference is one of round-off
 
 /// The two runs.
 template <int Dim>
@@ -89,20 +90,32 @@ Simulation<Dim> Twins<Dim>::start(const CaseDescription& description, double amp
   return Simulation<Dim>(Communicator(), std::move(scene.setup));
 }
 
+/// The first energy of the window: of the second half, beyond the first steps, and, where the difference has outgrown
+/// the noise by far, beyond those that the noise still has a part in; but at least three are left, if there are as
+/// many.
+std::size_t window_start(const std::vector<double>& energy) {
+  const std::size_t latest = energy.size() > 4 ? energy.size() - 4 : 0;
+  std::size_t first = std::max(energy.size() / 2, std::min(first_steps, latest));
+  if (first + 3 > energy.size()) first = energy.size() > 3 ? energy.size() - 3 : 0;
+  if (energy.back() > outgrown * outgrown * energy.front())
+    while (first < latest && energy[first] < outgrown * energy.front()) ++first;
+  return first;
+}
+
 }  // namespace
 
 void fit_growth(Growth& growth, const std::vector<double>& times) {
-  const std::size_t size = growth.energy.size();
-  const auto first = std::max(size / 2, std::min(first_steps, size > 4 ? size - 4 : 0));
+  const std::vector<double>& energy = growth.energy;
+  const std::size_t first = window_start(energy), size = energy.size();
   growth.first = static_cast<std::int64_t>(first);
   growth.last = static_cast<std::int64_t>(size) - 1;
   growth.factor = growth.rate = growth.dt = std::numeric_limits<double>::quiet_NaN();
-  if (size < first + 3) return;
+  if (size < first + 3 || !(energy.back() > 0)) return;
   const double steps = static_cast<double>(size - first), middle = 0.5 * (steps - 1);
   double product = 0, square = 0;
   for (std::size_t n = first; n < size; ++n) {
     const double step = static_cast<double>(n - first) - middle;
-    product += step * std::log(growth.energy[n]);
+    product += step * std::log(energy[n]);
     square += step * step;
   }
   growth.factor = std::exp(0.5 * product / square);

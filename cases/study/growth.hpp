@@ -32,7 +32,7 @@ struct Growth {
   std::string reason;                // in words, of any end
   double time = 0;                   // reached
   std::int64_t steps = 0;            // taken
-  double factor = 0;                 // growth per step in the window; NaN: fewer than three steps to fit
+  double factor = 0;                 // growth per step in the window; NaN: too few steps, or no difference
   double rate = 0;                   // growth per time: log factor/dt; NaN likewise
   double dt = 0;                     // mean step in the window
   std::int64_t first = 0, last = 0;  // the window: after these numbers of steps

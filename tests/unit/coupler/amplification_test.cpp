@@ -18,6 +18,9 @@ using testing::even_line;
 double lagged_root(double b) { return b; }
 double extrapolated_root(double b) { return b + std::sqrt(b * b + b); }  // ζ² + b (2ζ − 1) = 0
 
+/// Accuracy of the sides' own eigenvalue 1 − λ of first order, which six cells share: ε^(1/6).
+constexpr double defective = 5e-3;
+
 /// The smallest distance of an eigenvalue from ζ.
 double distance(const Eigen::MatrixXd& matrix, double zeta) {
   return (Eigen::EigenSolver<Eigen::MatrixXd>(matrix, false).eigenvalues().array() - zeta).abs().minCoeff();
@@ -46,7 +49,7 @@ TEST(Amplification, ModesOfFirstOrderUpwind) {
     for (const double b : {0.25, 3.0}) {
       const Eigen::MatrixXd projection =
           amplification_matrix(even_line(1 / b, courant, 1, "projection", false, false, 3));
-      EXPECT_NEAR(spectral_radius(projection), 1 - courant, 1e-4) << b;  // a defective eigenvalue: ε^(1/3)
+      EXPECT_NEAR(spectral_radius(projection), 1 - courant, defective) << b;
       const Eigen::MatrixXd lagged = amplification_matrix(even_line(1 / b, courant, 1, "traditional", true, false, 3));
       EXPECT_LT(distance(lagged, -b), 1e-10) << courant;
       const Eigen::MatrixXd second = amplification_matrix(even_line(1 / b, courant, 1, "traditional", false, false, 3));
@@ -65,7 +68,8 @@ TEST(Amplification, WavesAlongTheWallOfAGasWhoseWallFollowsInPart) {
         const double half = 0.5 * (b - 1 + courant), rest = b * (part * courant - 1);
         const Eigen::MatrixXd matrix = amplification_matrix(line);
         for (const double sign : {-1.0, 1.0})
-          EXPECT_LT(distance(matrix, -half + sign * std::sqrt(half * half - rest)), 1e-4) << courant << part << b;
+          EXPECT_LT(distance(matrix, -half + sign * std::sqrt(half * half - rest)), part == 1 ? defective : 1e-9)
+              << courant << part << b;
         const double limit = (2 - part * courant) / (2 - courant);
         for (const double factor : {0.99, 1.01}) {
           line.solid.impedance = factor * limit;
@@ -154,16 +158,23 @@ RigidLine rigid_line(double beta, const char* scheme, int sides, int order = 2) 
   return line;
 }
 
+/// What the body makes of its own velocity in gas at rest: as nothing comes back, this is an eigenvalue.
+double of_body(const Eigen::MatrixXd& matrix) { return matrix(matrix.rows() - 1, matrix.rows() - 1); }
+
 TEST(Amplification, RigidBodies) {
   constexpr double g = sdirk2_gamma;
   for (const int sides : {1, 2})
     for (const int order : {1, 2})
       for (const double beta : {0.1, 1.0, 1.98, 2.02, 5.0, 100.0}) {
         const Eigen::MatrixXd foil = amplification_matrix(rigid_line(beta, "traditional", sides, order));
-        EXPECT_LT(distance(foil, 1 - beta), 1e-10 * std::max(1.0, beta)) << beta;
+        EXPECT_NEAR(of_body(foil), 1 - beta, 1e-12 * std::max(1.0, beta)) << beta;
+        EXPECT_NEAR(spectral_radius(foil),
+                    std::max(spectral_radius(foil.topLeftCorner(foil.rows() - 1, foil.rows() - 1)), std::abs(1 - beta)),
+                    1e-10 * beta)
+            << beta;
         EXPECT_EQ(spectral_radius(foil) > 1, beta > 2) << beta;
         const Eigen::MatrixXd added_mass = amplification_matrix(rigid_line(beta, "rigid", sides, order));
-        EXPECT_LT(distance(added_mass, (1 - (1 - 2 * g) * beta) / ((1 + g * beta) * (1 + g * beta))), 1e-10) << beta;
+        EXPECT_NEAR(of_body(added_mass), (1 - (1 - 2 * g) * beta) / ((1 + g * beta) * (1 + g * beta)), 1e-12) << beta;
         EXPECT_LE(spectral_radius(added_mass), 1) << beta;
       }
   RigidLine massless = rigid_line(1, "rigid", 2);
