@@ -87,7 +87,7 @@ class ContactSolver {
     find_touching();
     const std::vector<std::size_t> list = touching_list();
     std::vector<double> change;  // least change of the normal velocities
-    for (const std::size_t c : list) change.push_back(-(1 + restitution) * normal_velocity(contacts_[c]));
+    for (const std::size_t c : list) change.push_back(-(1 + (bounces(contacts_[c]) ? restitution : 0)) * normal_velocity(contacts_[c]));
     if (list.empty() || *std::ranges::max_element(change) <= negligible()) return false;
     const LeastDistance least =
         least_distance(static_cast<std::size_t>(dofs) * roots_.size(), columns(list), change, negligible());
@@ -97,6 +97,10 @@ class ContactSolver {
                         Eigen::Map<const BodyVector<Dim>>(&least.x[static_cast<std::size_t>(row_[i])]);
     record(list, least);
     return true;
+  }
+
+  bool bounces(const ContactPoint<Dim>& contact) const {
+    return bodies_[static_cast<std::size_t>(contact.a)].inert && (contact.b < 0 || bodies_[static_cast<std::size_t>(contact.b)].inert);
   }
 
   std::vector<std::size_t> touching_list() const {

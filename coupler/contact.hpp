@@ -5,7 +5,8 @@
 //
 // for all contacts at once: of all admissible changes the one with the least energy ½ Δyᵀ M Δy. The energy does not
 // grow and impulses are equal and opposite. Where that leaves bodies approaching at another contact, the law is applied
-// again (a second impact), at last with ε = 0, after which nothing approaches.
+// again (a second impact), at last with ε = 0, after which nothing approaches. A body without mass takes no part in
+// bouncing: ε = 0 at its contacts.
 // Source: Moreau, Unilateral contact and dry friction in finite freedom dynamics, CISM 302 (1988). No friction.
 #pragma once
 
@@ -32,6 +33,7 @@ struct ContactBody {
   Point<Dim> position = Point<Dim>::Zero();            // centre of mass
   BodyVector<Dim> velocity = BodyVector<Dim>::Zero();  // before contact; held degrees with their prescribed velocity
   BodyMatrix<Dim> inverse_mass = BodyMatrix<Dim>::Zero();  // Δy per impulse, symmetric positive semidefinite; held: 0
+  bool inert = true;   // false: has no mass of its own, and so nothing to bounce back with
   bool round = false;  // a circle: contact without friction cannot turn it, whatever round-off is in the contact points
 };
 

@@ -58,7 +58,7 @@ class ContactStepper {
   std::vector<double> impact() {
     std::vector<ContactBody<Dim>> touching;
     for (std::size_t i = 0; i < bodies_.size(); ++i)
-      touching.push_back({bodies_[i].position, bodies_[i].step.velocity, impact_response(i), bodies_[i].round});
+      touching.push_back({bodies_[i].position, bodies_[i].step.velocity, impact_response(i), traditional_possible(bodies_[i].step), bodies_[i].round});
     const ContactResult<Dim> result = resolve_contacts(touching, contacts_, options_);
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       if (result.correction[i].isZero(0)) continue;
@@ -79,7 +79,7 @@ class ContactStepper {
       std::vector<ContactBody<Dim>> free;
       for (std::size_t i = 0; i < bodies_.size(); ++i) {
         const BodyMotion<Dim>& motion = step_.motions[i];
-        free.push_back({bodies_[i].position, motion.velocity - motion.response * impulse[i], motion.response, bodies_[i].round});
+        free.push_back({bodies_[i].position, motion.velocity - motion.response * impulse[i], motion.response, true, bodies_[i].round});
       }
       result = resolve_contacts(free, contacts_, plastic);
       if (!push(result.impulse, impulse)) break;

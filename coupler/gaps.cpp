@@ -167,7 +167,8 @@ std::vector<ContactPoint<Dim>> find_gaps(const std::vector<GapBody<Dim>>& bodies
   for (int a = 0; a < n; ++a) {
     const Box<Dim> near = boxes[static_cast<std::size_t>(a)].grown(within);
     const GapBody<Dim>& body = bodies[static_cast<std::size_t>(a)];
-    for (int b = a + 1; b < n; ++b) add_contacts(bodies, a, b, periods.images(boxes[static_cast<std::size_t>(b)], near), within, gaps);
+    const Box<Dim> around = boxes[static_cast<std::size_t>(a)].grown(std::min(within, 0.5 * periods.shortest()));  // no images but the nearest
+    for (int b = a + 1; b < n; ++b) add_contacts(bodies, a, b, periods.images(boxes[static_cast<std::size_t>(b)], around), within, gaps);
     for (int d = 0; d < Dim; ++d)
       for (const double sign : {-1.0, 1.0}) {
         if (periodic[static_cast<std::size_t>(d)]) continue;

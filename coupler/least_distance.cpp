@@ -97,7 +97,7 @@ class ActiveSet {
       if (given_up_[static_cast<std::size_t>(j)] || std::ranges::count(active_, j)) continue;
       const double here = violation(j);
       const double negligible = std::max(tolerance_, epsilon * (largest + norm(column(j)) * norm(x_)));
-      if (here <= negligible || here <= worst_violation) continue;
+      if (!(here > negligible) || here <= worst_violation) continue;  // not a number: nothing to be done about it
       worst = j;
       worst_violation = here;
     }

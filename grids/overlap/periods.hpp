@@ -1,8 +1,10 @@
 // A domain that repeats itself along some directions: bodies that cross such a side come in again at the other one.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "mortise/grids/core/types.hpp"
@@ -42,6 +44,14 @@ class Periods {
     }
     std::erase_if(shifts, [&](const Point<Dim>& s) { return !Box<Dim>{box.low + s, box.high + s}.meets(at); });
     return shifts;
+  }
+
+  /// The shortest period; infinite if there is none.
+  double shortest() const {
+    double length = std::numeric_limits<double>::infinity();
+    for (int d = 0; d < Dim; ++d)
+      if (length_[d] > 0) length = std::min(length, length_[d]);
+    return length;
   }
 
   /// x moved by whole periods to where it is nearest to the middle of `box`.
