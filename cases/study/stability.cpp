@@ -73,13 +73,15 @@ std::string ending(const GrowthRecord& growth) {
   return grows(growth) ? "grows" : "stable";
 }
 
+/// What growth depends on.
+std::string ratio_of(const CaseDescription& scene) { return scene.bodies.empty() ? "z_s/z_f" : "m/(z Δt)"; }
+
 Table points_table(const std::vector<SchemePoint>& points, const std::string& key, const CaseDescription& scene) {
-  const std::string name = scene.name, ratio = scene.bodies.empty() ? "z_s/z_f" : "m/(z Δt)";
   Table table;
-  table.title = name + ": growth of small disturbances per step, measured and by theory";
+  table.title = scene.name + ": growth of small disturbances per step, measured and by theory";
   table.columns = {{"scheme", "scheme", ""},
                    {key, key, "%.4g"},
-                   {"ratio", ratio, "%.4g"},
+                   {"ratio", ratio_of(scene), "%.4g"},
                    {"status", "status", ""},
                    {"measured", "measured", "%.5f"},
                    {"predicted", "predicted", "%.5f"},
@@ -103,6 +105,7 @@ struct Threshold {
 };
 
 constexpr double threshold_tolerance = 2e-3;
+constexpr int threshold_steps = 1500;
 
 double predicted_threshold(const StabilityOptions& options, const SchemeVariant& scheme, const std::string& key,
                            double low, double high) {
@@ -185,9 +188,9 @@ std::vector<StabilityMap> maps_of(const StabilityOptions& options, const std::ve
   return maps;
 }
 
-Table maps_table(const std::vector<StabilityMap>& maps) {
+Table maps_table(const std::vector<StabilityMap>& maps, const CaseDescription& scene) {
   Table table;
-  table.title = "Theory over impedance ratios (of bodies m/zΔt) and Courant numbers in (0, 1]";
+  table.title = "Theory over " + ratio_of(scene) + " and Courant numbers in (0, 1]";
   table.columns = {{"scheme", "scheme", ""},
                    {"largest", "largest growth per step − 1", "%.1e"},
                    {"stable", "stable part of the map %", "%.1f"}};
@@ -201,8 +204,9 @@ Table maps_table(const std::vector<StabilityMap>& maps) {
 
 Json data_of(const std::vector<SchemePoint>& points, const std::vector<Threshold>& all,
              const std::vector<StabilityMap>& maps, const std::string& key, const CaseDescription& scene) {
-  Json data = {{"kind", "stability"},     {"case", scene.name},          {"vary", key},          {"cfl", scene.cfl},
-               {"points", Json::array()}, {"thresholds", Json::array()}, {"maps", Json::array()}};
+  Json data = {
+      {"kind", "stability"}, {"ratio", ratio_of(scene)}, {"case", scene.name},          {"vary", key},
+      {"cfl", scene.cfl},    {"points", Json::array()},  {"thresholds", Json::array()}, {"maps", Json::array()}};
   for (const SchemePoint& p : points) {
     const GrowthRecord& g = p.growth;
     data["points"].push_back({{"scheme", p.scheme},
@@ -263,14 +267,18 @@ int study_stability(StabilityOptions options) {
     check_scene(read_case(options.case_name, point.overrides, options.cases_root));
   measure(points, options, options.quiet);
   std::vector<Threshold> found;
-  if (options.threshold) found = thresholds(options, schemes, vary.key, *least, *most);
+  if (options.threshold) {
+    StabilityOptions longer = options;  // growth is slow where it begins
+    longer.steps = std::max(options.steps, threshold_steps);
+    found = thresholds(longer, schemes, vary.key, *least, *most);
+  }
   const std::vector<StabilityMap> maps = maps_of(options, schemes, vary.key, *most);
   StudyFiles files;
   files.data = data_of(points, found, maps, vary.key, base);
   files.values = points_table(points, vary.key, base);
   files.tables = {files.values};
   if (!found.empty()) files.tables.push_back(thresholds_table(found, vary.key));
-  if (!maps.empty()) files.tables.push_back(maps_table(maps));
+  if (!maps.empty()) files.tables.push_back(maps_table(maps, base));
   write_study(files, options.output, options.cases_root);
   return 0;
 }

@@ -89,6 +89,37 @@ TEST_F(Study, CostMarksTheParetoFront) {
   EXPECT_GE(on_front, 1);
 }
 
+TEST_F(Study, StabilityPutsTheoryBesideTheRun) {
+  const Outcome outcome = study({"stability", "resting_tube", "--vary", "solid.scale=0.5,2", "--schemes",
+                                 "traditional+lagged,projection", "--threshold", "--steps", "300"});
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_TRUE(std::filesystem::exists(folder / "study/study.png")) << outcome.errors;
+  const nlohmann::json all = nlohmann::json::parse(read_file(folder / "study/study.json"));
+  ASSERT_EQ(all["points"].size(), 4u);
+  EXPECT_NEAR(all["points"][0]["measured"].get<double>(), 2, 0.02);
+  EXPECT_NEAR(all["points"][0]["predicted"].get<double>(), 2, 1e-6);
+  for (const std::size_t k : {1u, 2u, 3u}) {
+    EXPECT_LE(all["points"][k]["measured"].get<double>(), 1) << k;
+    EXPECT_LE(all["points"][k]["predicted"].get<double>(), 1 + 1e-12) << k;
+  }
+  EXPECT_NEAR(all["thresholds"][0]["measured"].get<double>(), 1, 0.02);
+  EXPECT_NEAR(all["thresholds"][0]["predicted"].get<double>(), 1, 0.02);
+  EXPECT_TRUE(all["thresholds"][1]["measured"].is_null());
+}
+
+TEST_F(Study, StressGoesOnWithTheNextSeed) {
+  const Outcome first = study({"stress", "--scenes", "3", "--seed", "5", "--minutes", "2"});
+  ASSERT_EQ(first.status, 0) << first.output << first.errors;
+  EXPECT_EQ(lines(read_file(folder / "study/journal.jsonl")).size(), 3u);
+  // The fourth one was cut short: it is run again.
+  write_file(folder / "study/journal.jsonl", read_file(folder / "study/journal.jsonl") + "{\"seed\": 8, \"ki");
+  const Outcome second = study({"stress", "--scenes", "5", "--seed", "5", "--minutes", "2"});
+  ASSERT_EQ(second.status, 0) << second.output << second.errors;
+  std::vector<int> seeds;
+  for (const CsvRow& row : csv_rows(folder / "study/study.csv")) seeds.push_back(std::stoi(row.at("seed")));
+  EXPECT_EQ(seeds, (std::vector<int>{5, 6, 7, 8, 9}));
+}
+
 TEST_F(Study, PublishedNumbersStandBesideOurs) {
   const Outcome outcome = study({"published", "--only", "rigid_piston"});
   ASSERT_EQ(outcome.status, 0) << outcome.errors;
@@ -108,6 +139,10 @@ TEST_F(Study, BadInputIsRefusedBeforeAnythingRuns) {
   expect_refused({"cost", "elastic_piston", "--schemes", "rigid"}, "cannot run this scene");
   expect_refused({"cost", "elastic_piston", "--schemes", "projetion"}, "did you mean \"projection\"?");
   expect_refused({"cost", "sod"}, "couples nothing");
+  expect_refused({"stability", "resting_tube", "--vary", "solid.scale"}, "needs values");
+  expect_refused({"stability", "resting_tube", "--vary", "solid.scale=0.5,-1"}, "solid.scale = -1");
+  expect_refused({"stability", "resting_tube", "--vary", "solid.scale=1,2", "--schemes", "rigid"}, "cannot run this");
+  expect_refused({"stress", "--minutes", "0"}, "must be a number > 0");
   expect_refused({"published", "--only", "rigid_pistn"}, "did you mean \"rigid_piston\"?");
   expect_refused({"convergance", "sod"}, "did you mean \"convergence\"?");
 }

@@ -6,6 +6,8 @@
 #include "mortise/cases/input/case_file.hpp"
 #include "mortise/cases/study/cost.hpp"
 #include "mortise/cases/study/scheme_variant.hpp"
+#include "mortise/cases/study/stability.hpp"
+#include "mortise/cases/study/stability_map.hpp"
 #include "mortise/grids/core/error.hpp"
 
 namespace mortise {
@@ -52,6 +54,38 @@ TEST(SecondsForEqualError, AreInterpolatedInLogarithms) {
   EXPECT_NEAR(seconds_for(curve, 0.125), 8, 1e-12);
   EXPECT_TRUE(std::isnan(seconds_for(curve, 0.01)));
   EXPECT_TRUE(std::isnan(seconds_for(curve, 2)));
+}
+
+TEST(Bisection, FindsWhereGrowthBeginsOrEnds) {
+  EXPECT_NEAR(bisected(0.1, 10, 1e-3, [](double x) { return x < 3; }), 3, 3e-3);
+  EXPECT_NEAR(bisected(0.1, 10, 1e-3, [](double x) { return x > 0.5; }), 0.5, 1e-3);
+  EXPECT_TRUE(std::isnan(bisected(0.1, 10, 1e-3, [](double) { return false; })));
+}
+
+/// The part of a map that is stable, by theory of a shipped case.
+double stable_part(const std::string& name, const std::string& scheme) {
+  const CaseDescription description = read_case(name, {"scheme=" + scheme}, MORTISE_SOURCE_DIR "/cases");
+  const StabilityMap map = stability_map(scheme, *predict_growth(description), description.cfl);
+  double stable = 0;
+  for (const double factor : map.factor) stable += factor <= growing;
+  return stable / static_cast<double>(map.factor.size());
+}
+
+TEST(StabilityMap, ProjectionIsStableEverywhere) {
+  const CaseDescription tube = shipped("resting_tube");
+  const StabilityMap map = stability_map("projection", *predict_growth(tube), tube.cfl);
+  EXPECT_LE(largest_factor(map), 1 + 1e-12);
+  EXPECT_EQ(map.factor.size(), map.ratio.size() * map.cfl.size());
+  EXPECT_DOUBLE_EQ(map.ratio.front(), 1e-6);
+  EXPECT_DOUBLE_EQ(map.ratio.back(), 1e6);
+  EXPECT_DOUBLE_EQ(map.cfl.back(), 1);
+}
+
+TEST(StabilityMap, TraditionalEndsAtItsThreshold) {
+  // z_s = 3 z_f and m = z Δt/2, over twelve and six decades.
+  EXPECT_NEAR(stable_part("resting_tube", "traditional"), 0.5 - std::log10(3.0) / 12, 0.02);
+  EXPECT_NEAR(stable_part("resting_piston", "traditional"), 0.5 + std::log10(2.0) / 6, 0.02);
+  EXPECT_EQ(stable_part("resting_piston", "rigid"), 1);
 }
 
 TEST(SchemeVariants, SaySubstepsAndLagging) {
