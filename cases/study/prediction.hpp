@@ -13,8 +13,9 @@ namespace mortise {
 
 struct GrowthPrediction {
   double factor = 0;  // growth per step of the gas
-  // The same for waves along the wall of a strip that are two faces long, whose nodes do not move (`following` = 0),
-  // without the dissipation along the wall: an upper estimate of what grows in the plane. Rigid bodies: factor.
+  // The same for waves along the wall of a strip that are two faces long, whose nodes do not move (`following` = 0).
+  // The dissipation along the wall is left out: an upper estimate of these waves. In the plane the larger of the two
+  // counts. Rigid bodies: factor.
   double along_wall = 0;
   double rate = 0;                            // per time: log factor/dt
   double dt = 0;                              // of the gas; the mean where the steps of the gas differ
