@@ -49,8 +49,9 @@ class ContactSolver {
   BodyVector<Dim> direction(int body, const ContactPoint<Dim>& contact) const {
     const ContactBody<Dim>& of = bodies_[static_cast<std::size_t>(body)];
     Point<Dim> arm = Point<Dim>::Zero();  // round bodies: along the normal
-    if (!of.round) arm = contact.point - of.position;
-    if (!of.round && body == contact.b) arm -= contact.shift;
+    if (!of.round)
+      for (int d = 0; d < Dim; ++d)
+        arm[d] = contact.point[d] - of.position[d] - (body == contact.b ? contact.shift[static_cast<std::size_t>(d)] : 0);
     return generalized_normal<Dim>(contact.normal, arm);
   }
 

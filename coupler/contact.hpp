@@ -10,6 +10,7 @@
 // Source: Moreau, Unilateral contact and dry friction in finite freedom dynamics, CISM 302 (1988). No friction.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "mortise/coupler/body_vector.hpp"
@@ -24,7 +25,7 @@ struct ContactPoint {
   Point<Dim> normal = Point<Dim>::Zero();  // unit, from a to b
   Point<Dim> point = Point<Dim>::Zero();   // where the impulse acts
   double gap = 0;                          // distance; negative: overlapping
-  Point<Dim> shift = Point<Dim>::Zero();   // by which b is moved here, where the domain is periodic
+  std::array<double, Dim> shift{};         // by which b is moved here, where the domain is periodic
 };
 
 /// A body as contact sees it.

@@ -141,7 +141,7 @@ void add_contacts(const std::vector<GapBody<Dim>>& bodies, int a, int b, const s
     for (ContactPoint<Dim>& contact : contacts_between(bodies[static_cast<std::size_t>(a)], image, within)) {
       contact.a = a;
       contact.b = b;
-      contact.shift = shift;
+      for (int d = 0; d < Dim; ++d) contact.shift[static_cast<std::size_t>(d)] = shift[d];
       all.push_back(contact);
     }
   }

@@ -158,6 +158,7 @@ class Simulation {
   EulerSolver<Dim> fluid_;
   std::vector<RigidBody<Dim>> bodies_;
   std::vector<Pose<Dim>> initial_poses_;
+  std::vector<bool> round_;                     // the body is a circle
   std::vector<BodyVector<Dim>> mean_velocity_;  // of the last step: the velocity the grids had
   std::vector<BodyLoad<Dim>> loads_;
   DeformingScene deforming_;  // empty for Dim = 1

@@ -92,7 +92,8 @@ void EulerSolver<Dim>::cut(bool fresh) {
   if (overlap_->update(poses_, fresh)) blank_holes();
   const OverlapReport& report = overlap_->report();
   if (report.orphans > 0)
-    throw NumericalError("the overlap has " + std::to_string(report.orphans) + " cells without a donor, the first in " + report.first_orphan);
+    throw NumericalError("the overlap has " + std::to_string(report.orphans) + " cells without a donor, the first in " + report.first_orphan +
+                         ": bodies, or a body and the edge of the domain, are closer there than the grids resolve");
 }
 
 template <int Dim>

@@ -179,6 +179,7 @@ class EulerSolver {
   Values value_in(int grid, int tile, const Index<Dim>& cell, const Point<Dim>& within) const;
   StepResult step_tile(int grid, int tile, const std::vector<BodyPath<Dim>>& paths, const std::vector<std::vector<double>>& pressure, double dt,
                        const StepOptions& options);
+  StepResult restore_pressure(int grid, int tile);
   CartesianTile<Dim> cartesian(int grid, int tile);
   FittedTile<Dim> fitted(int grid, int tile);
 

@@ -71,6 +71,36 @@ StepResult EulerSolver<Dim>::step_tile(int g, int t, const std::vector<BodyPath<
   return godunov_step(tile, dt, options);
 }
 
+/// A step of first order leaves pressures that are positive but for round-off. Where thermal energy has been lost in the
+/// round-off of the total energy the gas is given so much of it back. Returns the new state's rate.
+template <int Dim>
+StepResult EulerSolver<Dim>::restore_pressure(int g, int t) {
+  constexpr double lost = 1e-13;  // part of the total energy per volume
+  const auto of_grid = static_cast<std::size_t>(g);
+  const TileMask& mask = grids_[of_grid].masks[static_cast<std::size_t>(t)];
+  TileBlock& next = next_[of_grid].tile(t);
+  for_each_cell<Dim>(grids_[of_grid].shape, 0, [&](const Index<Dim>& c) {
+    const std::size_t k = grids_[of_grid].shape.at(c);
+    if (mask.cut() && !mask.active[k]) return;
+    const Conserved<Dim> U = get<Dim>(next, k);
+    Primitive<Dim> W = to_primitive(U, setup_.gas.gamma);
+    if (!(W.density > 0) || W.pressure > 0 || !(W.pressure > -lost * U.energy)) return;
+    W.pressure = lost * U.energy;
+    put<Dim>(next, k, to_conserved(W, setup_.gas.gamma));
+  });
+  if (grids_[of_grid].background()) {
+    CartesianTile<Dim> tile = cartesian(g, t);
+    tile.now = next.component(0);
+    return wave_rate(tile, setup_.options);
+  }
+  FittedTile<Dim> tile = fitted(g, t);  // where step_tile() has put its nodes
+  if constexpr (Dim == 2)
+    tile.now = next.component(0);
+  else
+    tile.line.now = next.component(0);
+  return wave_rate(tile, setup_.options);
+}
+
 /// The tile lies on a wall; tiles of meshes may be farther out.
 template <int Dim>
 bool EulerSolver<Dim>::carries_wall(int g, int t) const {
@@ -96,7 +126,8 @@ bool EulerSolver<Dim>::step(const std::vector<BodyPath<Dim>>& paths, const std::
         continue;
       }
       if (mask.cut() && mask.active_count == 0 && mask.hole) continue;
-      const StepResult result = step_tile(static_cast<int>(g), t, paths, pressure, dt, options);
+      StepResult result = step_tile(static_cast<int>(g), t, paths, pressure, dt, options);
+      if (first_order && !result.admissible) result = restore_pressure(static_cast<int>(g), t);
       computed_[g][tile] = 1;
       new_rates_[g][tile] = result.rate;
       admissible = admissible && result.admissible;

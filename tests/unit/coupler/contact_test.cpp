@@ -276,5 +276,52 @@ RC_GTEST_PROP(ContactProperty, TheFrameDoesNotMatter, ()) {
   }
 }
 
+TEST(Contact, BodiesWithoutMassDoNotBounce) {
+  ContactBody<1> light = slab(-1, 1, 1);
+  light.inert = false;
+  const std::vector<ContactBody<1>> bodies{light, slab(1, 0, 0)};
+  const ContactResult<1> result = resolve_contacts<1>(bodies, {touching(0, 1)}, {.restitution = 1});
+  expect_near(velocities_after(bodies, result), {0, 0}, 1e-15);
+}
+
+// The contact points of circles are off by what a polygon is off a circle: a light one would be spun by that.
+TEST(Contact, DoesNotTurnRoundBodies) {
+  ContactBody<2> round;
+  round.velocity = Vector3(1, 0, 0.5);
+  round.inverse_mass = Vector3(1, 1, 1e8).asDiagonal();
+  round.round = true;
+  ContactPoint<2> wall;
+  wall.normal = Point<2>(1, 0);
+  wall.point = Point<2>(0.3, 1e-4);
+  const ContactResult<2> result = resolve_contacts<2>({round}, {wall}, {.restitution = 1});
+  EXPECT_NEAR(result.correction[0][0], -2, 1e-14);
+  EXPECT_EQ(result.correction[0][2], 0);
+}
+
+TEST(Contact, OfAnImageActsOnTheBodyItself) {
+  ContactBody<2> held, body;
+  body.position = Point<2>(0.9, 0);
+  body.velocity = Vector3(1, 0, 0);  // towards the image of the other one in the next period
+  body.inverse_mass = Vector3(1, 1, 4).asDiagonal();
+  held.position = Point<2>(-0.9, 0);
+  ContactPoint<2> contact;
+  contact.a = 0;
+  contact.b = 1;
+  contact.normal = Point<2>(-1, 0);
+  contact.point = Point<2>(-1, 0.1);
+  contact.shift = {-2, 0};
+  const ContactResult<2> result = resolve_contacts<2>({held, body}, {contact}, {.restitution = 0});
+  // e = (−1, 0, 0.1): λ = 1/(1 + 4·0.01), Δω = 4·0.1 λ
+  EXPECT_NEAR(result.correction[1][0], -1 / 1.04, 1e-14);
+  EXPECT_NEAR(result.correction[1][2], 0.4 / 1.04, 1e-14);
+}
+
+TEST(Contact, EndsOnVelocitiesThatAreNoNumbers) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<ContactBody<1>> bodies{slab(-1, 1, none), slab(0, 1, 0), slab(1, 1, -1)};
+  const ContactResult<1> result = resolve_contacts<1>(bodies, {touching(0, 1), touching(1, 2)}, {.restitution = 1});
+  EXPECT_EQ(result.correction.size(), 3u);
+}
+
 }  // namespace
 }  // namespace mortise
