@@ -34,7 +34,8 @@ class Periods {
     for (int d = 0; d < Dim; ++d) {
       if (!repeats(d, box)) continue;
       std::vector<Point<Dim>> all;
-      const double first = std::ceil((at.low[d] - box.high[d]) / length_[d]), last = std::floor((at.high[d] - box.low[d]) / length_[d]);
+      const double first = std::ceil((at.low[d] - box.high[d]) / length_[d]),
+                   last = std::floor((at.high[d] - box.low[d]) / length_[d]);
       for (double k = first; k <= last; ++k)
         for (Point<Dim> shift : shifts) {
           shift[d] = k * length_[d];
@@ -63,7 +64,9 @@ class Periods {
   }
 
  private:
-  bool repeats(int d, const Box<Dim>& box) const { return length_[d] > 0 && std::isfinite(box.high[d] - box.low[d]) && box.high[d] - box.low[d] < 1e200; }
+  bool repeats(int d, const Box<Dim>& box) const {
+    return length_[d] > 0 && std::isfinite(box.high[d] - box.low[d]) && box.high[d] - box.low[d] < 1e200;
+  }
 
   Point<Dim> length_ = Point<Dim>::Zero();  // of a period; 0: does not repeat
   bool any_ = false;
