@@ -84,7 +84,7 @@ StepResult EulerSolver<Dim>::restore_pressure(int g, int t) {
     if (mask.cut() && !mask.active[k]) return;
     const Conserved<Dim> U = get<Dim>(next, k);
     Primitive<Dim> W = to_primitive(U, setup_.gas.gamma);
-    if (!(W.density > 0) || W.pressure > 0 || !(W.pressure > -lost * U.energy)) return;
+    if (!(W.density > 0) || !(std::fabs(W.pressure) < lost * U.energy)) return;
     W.pressure = lost * U.energy;
     put<Dim>(next, k, to_conserved(W, setup_.gas.gamma));
   });

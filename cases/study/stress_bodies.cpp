@@ -97,7 +97,8 @@ void write_contact(CaseText& text, Dice& dice) {
 std::string draw_body_scheme(Dice& dice) { return dice.chance(0.85) ? "rigid" : "traditional"; }
 
 /// What a scene with rigid bodies begins with, up to the bodies.
-CaseText begin_scene(Dice& dice, const std::string& title, const std::string& scheme, const Stage& stage, const Flow& flow, double fastest, bool repeat = true) {
+CaseText begin_scene(Dice& dice, const std::string& title, const std::string& scheme, const Stage& stage,
+                     const Flow& flow, double fastest, bool repeat = true) {
   CaseText text;
   write_head(text, title + ", " + flow.kind + ", " + scheme, scheme, stage);
   if (dice.chance(0.1)) {
@@ -108,7 +109,8 @@ CaseText begin_scene(Dice& dice, const std::string& title, const std::string& sc
   }
   text.table("grid").number("factor", stage.factor);
   const auto n = static_cast<std::ptrdiff_t>(stage.dimension);
-  text.numbers("low", {stage.low.begin(), stage.low.begin() + n}).numbers("high", {stage.high.begin(), stage.high.begin() + n});
+  text.numbers("low", {stage.low.begin(), stage.low.begin() + n})
+      .numbers("high", {stage.high.begin(), stage.high.begin() + n});
   write_time(text, stage, end_of(stage, fastest, dice.whole(60, stage.dimension == 1 ? 400 : 160)));
   write_gas(text, dice, stage);
   write_sides(text, dice, stage, flow, repeat);
@@ -145,7 +147,8 @@ Scene line_bodies(Dice& dice, const std::string& title) {
   return {flow.kind, scheme, scheme == "rigid" && !half_spaces, text.text()};  // a half space may leave the domain
 }
 
-void write_plane_body(CaseText& text, Dice& dice, const Stage& stage, const Shape& shape, const Place& place, bool massive) {
+void write_plane_body(CaseText& text, Dice& dice, const Stage& stage, const Shape& shape, const Place& place,
+                      bool massive) {
   text.entry("bodies");
   write_shape(text, shape);
   text.numbers("position", {place.position[0], place.position[1]});
@@ -176,8 +179,10 @@ void write_plane_body(CaseText& text, Dice& dice, const Stage& stage, const Shap
   }
   const double fast = stage.gentle ? 0.3 : 1.5;
   if (dice.chance(0.3))
-    text.numbers("velocity", {Dice::rounded(stage.sound * dice.between(-fast, fast)), Dice::rounded(stage.sound * dice.between(-fast, fast))});
-  if (dice.chance(0.3)) text.number("angular_velocity", Dice::rounded(stage.sound / shape.radius * dice.between(-fast, fast)));
+    text.numbers("velocity", {Dice::rounded(stage.sound * dice.between(-fast, fast)),
+                              Dice::rounded(stage.sound * dice.between(-fast, fast))});
+  if (dice.chance(0.3))
+    text.number("angular_velocity", Dice::rounded(stage.sound / shape.radius * dice.between(-fast, fast)));
 }
 
 Scene plane_bodies(Dice& dice, const std::string& title) {
@@ -187,7 +192,8 @@ Scene plane_bodies(Dice& dice, const std::string& title) {
   CaseText text = begin_scene(dice, title, scheme, stage, flow, flow.fastest + 0.5 * stage.sound);
   std::vector<Shape> shapes = draw_shapes(dice, stage, dice.whole(1, 4), 0.35);
   const std::vector<Place> places = place_apart(dice, stage, shapes, 3.2 * stage.spacing());
-  for (std::size_t k = 0; k < shapes.size(); ++k) write_plane_body(text, dice, stage, shapes[k], places[k], scheme == "traditional");
+  for (std::size_t k = 0; k < shapes.size(); ++k)
+    write_plane_body(text, dice, stage, shapes[k], places[k], scheme == "traditional");
   return {flow.kind, scheme, scheme == "rigid", text.text()};
 }
 
@@ -200,7 +206,8 @@ Scene close_bodies(Dice& dice, const std::string& title) {
   for (Shape& shape : shapes)
     while (shape.shape == "polygon") shape = draw_shape(dice, stage, 0.3, 0.02);
   const std::vector<Place> places = place_close(dice, stage, shapes);
-  for (std::size_t k = 0; k < shapes.size(); ++k) write_plane_body(text, dice, stage, shapes[k], places[k], scheme == "traditional");
+  for (std::size_t k = 0; k < shapes.size(); ++k)
+    write_plane_body(text, dice, stage, shapes[k], places[k], scheme == "traditional");
   return {flow.kind, scheme, scheme == "rigid", text.text()};
 }
 

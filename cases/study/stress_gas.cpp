@@ -50,7 +50,8 @@ void draw_shock(Dice& dice, const Stage& stage, double strength, Flow& flow) {
   if (!(flow.mach > 1)) flow.mach = 1 + 1e-15;
   place_front(dice, stage, flow);
   const double radians = flow.angle * std::numbers::pi / 180;
-  const auto behind = gas_behind_shock(flow.state, flow.mach, {std::cos(radians), std::sin(radians)}, stage.gamma, stage.p_inf);
+  const auto behind =
+      gas_behind_shock(flow.state, flow.mach, {std::cos(radians), std::sin(radians)}, stage.gamma, stage.p_inf);
   flow.fastest = std::hypot(behind[1], behind[2]) + speed_of_sound(stage, behind);
 }
 
@@ -81,7 +82,8 @@ void draw_bump(Dice& dice, const Stage& stage, double strength, bool smooth, Flo
   for (std::size_t d = 0; d < static_cast<std::size_t>(stage.dimension); ++d) {
     const double center = Dice::rounded(stage.low[d] + across(d) * dice.between(0.1, 0.9));
     const double scale = Dice::rounded(across(d) * dice.between(0.08, 0.2));
-    r2 += (d == 0 ? "" : " + ") + ("((" + std::string(d == 0 ? "x" : "y") + " - (" + digits(center) + "))/" + digits(scale)) + ")^2";
+    r2 += (d == 0 ? "" : " + ") +
+          ("((" + std::string(d == 0 ? "x" : "y") + " - (" + digits(center) + "))/" + digits(scale)) + ")^2";
   }
   const std::string size = digits(Dice::rounded(strength * stage.shifted_pressure()));
   flow.bump = digits(stage.pressure()) + " + " + size + (smooth ? "*exp(-(" + r2 + "))" : "*((" + r2 + ") < 1)");
@@ -103,7 +105,8 @@ Stage draw_stage(Dice& dice, int dimension) {
   Stage stage;
   stage.dimension = dimension;
   if (dice.chance(0.2)) stage.length = std::pow(10.0, dice.whole(-4, 4));
-  stage.factor = (dimension == 1 ? dice.pick<double>({2, 4, 6, 10, 20}) : dice.pick<double>({2, 3, 4, 4, 5, 6})) / stage.length;
+  stage.factor =
+      (dimension == 1 ? dice.pick<double>({2, 4, 6, 10, 20}) : dice.pick<double>({2, 3, 4, 4, 5, 6})) / stage.length;
   for (std::size_t d = 0; d < static_cast<std::size_t>(dimension); ++d) {
     stage.high[d] = Dice::rounded(stage.length * dice.between(0.8, 1.2));
     stage.low[d] = -stage.high[d];
@@ -161,7 +164,8 @@ void write_flow(CaseText& text, const Stage& stage, const Flow& flow) {
   text.table("initial").word("kind", flow.kind);
   if (flow.kind == "uniform") text.numbers("state", listed(stage, flow.state));
   if (flow.kind == "shock") text.numbers("ahead", listed(stage, flow.state)).number("mach", flow.mach);
-  if (flow.kind == "riemann") text.numbers("left", listed(stage, flow.left)).numbers("right", listed(stage, flow.right));
+  if (flow.kind == "riemann")
+    text.numbers("left", listed(stage, flow.left)).numbers("right", listed(stage, flow.right));
   if (flow.kind == "shock" || flow.kind == "riemann") text.number("position", flow.position);
   if (flow.angle != 0) text.number("angle", flow.angle);
   if (flow.kind != "regions") return;
@@ -199,7 +203,8 @@ Scene gas_alone(Dice& dice, const std::string& title) {
   write_head(text, title + ", " + flow.kind, "", stage);
   text.table("grid").number("factor", stage.factor);
   const auto n = static_cast<std::ptrdiff_t>(stage.dimension);
-  text.numbers("low", {stage.low.begin(), stage.low.begin() + n}).numbers("high", {stage.high.begin(), stage.high.begin() + n});
+  text.numbers("low", {stage.low.begin(), stage.low.begin() + n})
+      .numbers("high", {stage.high.begin(), stage.high.begin() + n});
   write_time(text, stage, end_of(stage, flow.fastest, dice.whole(40, 200)));
   write_gas(text, dice, stage);
   write_sides(text, dice, stage, flow);

@@ -15,7 +15,8 @@ void turn_to_wall(Flow& flow, double normal, double height) {
   flow.position = Dice::rounded(-0.7 * height);
 }
 
-CaseText begin_scene(Dice& dice, const std::string& title, const std::string& scheme, const Stage& stage, const Flow& flow) {
+CaseText begin_scene(Dice& dice, const std::string& title, const std::string& scheme, const Stage& stage,
+                     const Flow& flow) {
   CaseText text;
   write_head(text, title + ", " + flow.kind + ", " + scheme + (stage.gentle ? ", gentle" : ""), scheme, stage);
   write_time(text, stage, end_of(stage, flow.fastest, dice.whole(60, stage.dimension == 1 ? 400 : 150)));
@@ -38,7 +39,11 @@ Scene line_strip(Dice& dice, const std::string& title) {
   turn_to_wall(flow, 0, stage.high[0]);
   const std::string scheme = draw_interface_scheme(dice);
   CaseText text = begin_scene(dice, title, scheme, stage, flow);
-  text.table("grid").word("kind", "layer").number("factor", stage.factor).number("low", 0).number("high", stage.high[0]);
+  text.table("grid")
+      .word("kind", "layer")
+      .number("factor", stage.factor)
+      .number("low", 0)
+      .number("high", stage.high[0]);
   text.table("boundaries").word("right", dice.word({"outflow", "wall", flow.kind == "shock" ? "inflow" : "outflow"}));
   text.entry("solids").word("shape", "strip").number("thickness", Dice::rounded(stage.length * dice.between(0.2, 1)));
   write_material(text, material);
@@ -60,7 +65,9 @@ Scene plane_strip(Dice& dice, const std::string& title) {
   text.numbers("low", {stage.low[0], 0}).numbers("high", {stage.high[0], stage.high[1]});
   text.table("boundaries");
   const bool repeats = dice.chance(0.4);
-  text.word("left", repeats ? "periodic" : "outflow").word("right", repeats ? "periodic" : "wall").word("top", dice.word({"outflow", "wall"}));
+  text.word("left", repeats ? "periodic" : "outflow")
+      .word("right", repeats ? "periodic" : "wall")
+      .word("top", dice.word({"outflow", "wall"}));
   text.entry("solids").word("shape", "strip").number("thickness", Dice::rounded(stage.length * dice.between(0.2, 0.6)));
   if (dice.chance(0.4)) {
     const double k = Dice::rounded(std::numbers::pi / stage.high[0]);
@@ -85,8 +92,11 @@ Scene ring(Dice& dice, const std::string& title) {
     const double edge = 1.2 * stage.length;
     text.numbers("low", {-edge, -edge}).numbers("high", {edge, edge});
   } else {
-    const double far = Dice::rounded(layout == 0 ? middle - std::max(4 * h, 0.15 * stage.length) : middle + 0.4 * stage.length);
-    text.word("kind", "layer").number("inner_radius", std::min(middle, far)).number("outer_radius", std::max(middle, far));
+    const double far =
+        Dice::rounded(layout == 0 ? middle - std::max(4 * h, 0.15 * stage.length) : middle + 0.4 * stage.length);
+    text.word("kind", "layer")
+        .number("inner_radius", std::min(middle, far))
+        .number("outer_radius", std::max(middle, far));
     text.table("boundaries").word("top", dice.word({"outflow", "wall"}));
   }
   const double inner = layout == 1 ? Dice::rounded(std::max(0.1 * stage.length, middle - solid)) : middle;
@@ -111,7 +121,8 @@ Scene hole(Dice& dice, const std::string& title) {
   text.entry("solids").word("shape", "plate").number("hole", radius).word("gas", "inside");
   text.numbers("low", {stage.low[0], stage.low[1]}).numbers("high", {stage.high[0], stage.high[1]});
   write_material(text, material);
-  for (const char* side : {"left", "right", "bottom", "top"}) text.word(std::string("sides.") + side, dice.word({"free", "fixed", "slip"}));
+  for (const char* side : {"left", "right", "bottom", "top"})
+    text.word(std::string("sides.") + side, dice.word({"free", "fixed", "slip"}));
   return {flow.kind, scheme, robust(stage, scheme), text.text()};
 }
 

@@ -12,14 +12,14 @@ namespace mortise::stress {
 /// The lines of a case file, written one after the other.
 class CaseText {
  public:
-  CaseText& table(const std::string& name);                                // [name]
-  CaseText& entry(const std::string& name);                                // [[name]]
-  CaseText& word(const std::string& key, const std::string& value);        // key = "value"
+  CaseText& table(const std::string& name);                          // [name]
+  CaseText& entry(const std::string& name);                          // [[name]]
+  CaseText& word(const std::string& key, const std::string& value);  // key = "value"
   CaseText& words(const std::string& key, const std::vector<std::string>& values);
   CaseText& number(const std::string& key, double value);
   CaseText& numbers(const std::string& key, const std::vector<double>& values);
   CaseText& yes(const std::string& key, bool value);
-  CaseText& plain(const std::string& key, const std::string& value);     // key = value
+  CaseText& plain(const std::string& key, const std::string& value);  // key = value
   const std::string& text() const { return text_; }
 
  private:
@@ -33,9 +33,9 @@ std::string digits(double value);
 /// Units, grid and gas that everything else in a scene is measured by.
 struct Stage {
   int dimension = 2;
-  double length = 1;                         // unit of length
-  double factor = 4;                         // h = 1/(10 factor)
-  std::array<double, 2> low{}, high{};       // of the domain
+  double length = 1;                           // unit of length
+  double factor = 4;                           // h = 1/(10 factor)
+  std::array<double, 2> low{}, high{};         // of the domain
   double density = 1, sound = 1, gamma = 1.4;  // gas at rest; p̃ = ρ c²/γ
   double p_inf = 0;
   double cfl = 0.9;
@@ -48,13 +48,13 @@ struct Stage {
 
 /// How the gas begins, and an estimate of what that leads to.
 struct Flow {
-  std::string kind;                // uniform, shock, …
-  std::array<double, 4> state{};   // uniform, ahead
-  double mach = 0;                 // shock
-  double position = 0, angle = 0;  // of a front
+  std::string kind;                       // uniform, shock, …
+  std::array<double, 4> state{};          // uniform, ahead
+  double mach = 0;                        // shock
+  double position = 0, angle = 0;         // of a front
   std::array<double, 4> left{}, right{};  // riemann
-  std::string bump;                // regions: pressure as a formula
-  double fastest = 0;              // |u| + c that is to be expected
+  std::string bump;                       // regions: pressure as a formula
+  double fastest = 0;                     // |u| + c that is to be expected
 };
 
 struct Material {
@@ -94,10 +94,10 @@ struct Place {
 struct Shape {
   std::string shape;
   double radius = 0;
-  std::vector<double> measures;                 // radius; semi-axes; width, height
-  std::vector<std::array<double, 2>> corners;   // polygon
+  std::vector<double> measures;                // radius; semi-axes; width, height
+  std::vector<std::array<double, 2>> corners;  // polygon
   double fillet = 0;
-  double area = 0;                              // about
+  double area = 0;  // about
 };
 Shape draw_shape(Dice& dice, const Stage& stage, double largest, double least_width);
 void write_shape(CaseText& text, const Shape& shape);
@@ -110,7 +110,8 @@ std::vector<Place> place_close(Dice& dice, const Stage& stage, std::vector<Shape
 Scene line_bodies(Dice& dice, const std::string& title);
 Scene plane_bodies(Dice& dice, const std::string& title);
 Scene close_bodies(Dice& dice, const std::string& title);
-void write_plane_body(CaseText& text, Dice& dice, const Stage& stage, const Shape& shape, const Place& place, bool massive);
+void write_plane_body(CaseText& text, Dice& dice, const Stage& stage, const Shape& shape, const Place& place,
+                      bool massive);
 
 // stress_solids.cpp
 Material draw_material(Dice& dice, const Stage& stage);

@@ -9,9 +9,10 @@
 namespace mortise {
 
 struct StressScene {
-  std::string kind;     // one of stress_kinds()
-  std::string text;     // the case file
-  bool robust = false;  // admissible for a scheme that is stable by design: a numerical failure is a defect of the program
+  std::string kind;  // one of stress_kinds()
+  std::string text;  // the case file
+  bool robust =
+      false;  // admissible for a scheme that is stable by design: a numerical failure is a defect of the program
 };
 
 /// What kinds of scenes there are.

@@ -8,7 +8,8 @@ namespace mortise::stress {
 namespace {
 
 /// Begins a scene of solids in gas over a background, up to the solids.
-CaseText begin_scene(Dice& dice, const std::string& title, const std::string& scheme, const Stage& stage, const Flow& flow, double fastest) {
+CaseText begin_scene(Dice& dice, const std::string& title, const std::string& scheme, const Stage& stage,
+                     const Flow& flow, double fastest) {
   CaseText text;
   write_head(text, title + ", " + flow.kind + ", " + scheme + (stage.gentle ? ", gentle" : ""), scheme, stage);
   text.table("grid").number("factor", stage.factor);
@@ -22,14 +23,17 @@ CaseText begin_scene(Dice& dice, const std::string& title, const std::string& sc
   return text;
 }
 
-void write_solid(CaseText& text, Dice& dice, const Stage& stage, const Material& material, const Shape& shape, const Place& place) {
+void write_solid(CaseText& text, Dice& dice, const Stage& stage, const Material& material, const Shape& shape,
+                 const Place& place) {
   text.entry("solids");
   write_shape(text, shape);
   text.numbers("position", {place.position[0], place.position[1]});
   if (place.angle != 0) text.number("angle", place.angle);
   const double fast = stage.gentle ? 0.02 * weakness_of(stage, material) * stage.sound : 0.7 * stage.sound;
-  if (dice.chance(0.3)) text.numbers("velocity", {Dice::rounded(fast * dice.between(-1, 1)), Dice::rounded(fast * dice.between(-1, 1))});
-  if (!stage.gentle && dice.chance(0.15)) text.number("angular_velocity", Dice::rounded(fast / shape.radius * dice.between(-1, 1)));
+  if (dice.chance(0.3))
+    text.numbers("velocity", {Dice::rounded(fast * dice.between(-1, 1)), Dice::rounded(fast * dice.between(-1, 1))});
+  if (!stage.gentle && dice.chance(0.15))
+    text.number("angular_velocity", Dice::rounded(fast / shape.radius * dice.between(-1, 1)));
   write_material(text, material);
 }
 
@@ -45,25 +49,30 @@ std::vector<Shape> draw_shapes(Dice& dice, const Stage& stage, int count) {
 }
 
 double draw_traction(Dice& dice, const Material& material) {
-  return Dice::rounded(material.density * material.speed() * material.speed() * dice.decades(-5, -1) * (dice.chance(0.5) ? 1 : -1));
+  return Dice::rounded(material.density * material.speed() * material.speed() * dice.decades(-5, -1) *
+                       (dice.chance(0.5) ? 1 : -1));
 }
 
 /// One side of a solid without gas.
 void write_side(CaseText& text, Dice& dice, const Stage& stage, const Material& material, const std::string& side) {
   if (dice.chance(0.3))
     text.word("traction." + side, digits(draw_traction(dice, material)) + "*sin(" +
-                                      digits(Dice::rounded(material.speed() / stage.length * dice.decades(0, 1))) + "*t)");
+                                      digits(Dice::rounded(material.speed() / stage.length * dice.decades(0, 1))) +
+                                      "*t)");
   else
     text.word("sides." + side, dice.word({"free", "fixed", "slip"}));
 }
 
 /// A displacement of small strain.
 void write_displacement(CaseText& text, Dice& dice, const Stage& stage, const Material& material) {
-  const double k = Dice::rounded(dice.between(2, 8) / stage.length), amplitude = Dice::rounded(dice.decades(-6, -1.5) / k);
+  const double k = Dice::rounded(dice.between(2, 8) / stage.length),
+               amplitude = Dice::rounded(dice.decades(-6, -1.5) / k);
   text.table("solids.initial").word("kind", "formula");
-  text.plain("displacement", "[\"" + digits(amplitude) + "*sin(" + digits(k) + "*x)\", \"" + digits(amplitude) + "*cos(" + digits(k) + "*y)\"]");
+  text.plain("displacement", "[\"" + digits(amplitude) + "*sin(" + digits(k) + "*x)\", \"" + digits(amplitude) +
+                                 "*cos(" + digits(k) + "*y)\"]");
   if (dice.chance(0.5))
-    text.plain("velocity", "[\"" + digits(Dice::rounded(amplitude * k * material.speed())) + "*cos(" + digits(k) + "*x)\", \"0\"]");
+    text.plain("velocity",
+               "[\"" + digits(Dice::rounded(amplitude * k * material.speed())) + "*cos(" + digits(k) + "*x)\", \"0\"]");
 }
 
 }  // namespace
@@ -101,7 +110,8 @@ void write_coupling(CaseText& text, Dice& dice, const Stage& stage, bool round) 
 }
 
 std::string draw_interface_scheme(Dice& dice) {
-  return dice.word({"projection", "projection", "projection", "projection", "traditional", "traditional-subiterated", "anti-traditional"});
+  return dice.word({"projection", "projection", "projection", "projection", "traditional", "traditional-subiterated",
+                    "anti-traditional"});
 }
 
 Scene plane_solids(Dice& dice, const std::string& title) {
@@ -149,14 +159,18 @@ Scene solids_alone(Dice& dice, const std::string& title) {
   std::vector<std::string> sides = {"left", "right", "bottom", "top"};
   if (shape == "annulus") {
     const double outer = stage.high[0];
-    text.word("shape", "annulus").number("inner_radius", Dice::rounded(outer * dice.between(0.2, 0.7))).number("outer_radius", outer);
+    text.word("shape", "annulus")
+        .number("inner_radius", Dice::rounded(outer * dice.between(0.2, 0.7)))
+        .number("outer_radius", outer);
     sides = {"inner", "outer"};
   } else if (shape == "outline") {
     write_shape(text, draw_shape(dice, stage, 0.8, 4 * stage.spacing() / stage.length));
     text.word("gas", "none");
     sides = {"outer"};
   } else {
-    text.word("shape", "plate").numbers("low", {stage.low[0], stage.low[1]}).numbers("high", {stage.high[0], stage.high[1]});
+    text.word("shape", "plate")
+        .numbers("low", {stage.low[0], stage.low[1]})
+        .numbers("high", {stage.high[0], stage.high[1]});
     if (shape != "plate") text.number("hole", Dice::rounded(stage.high[0] * dice.between(0.2, 0.5)));
     if (shape != "plate") sides.emplace_back("inner");
   }

@@ -14,7 +14,9 @@ namespace {
 using Json = nlohmann::json;
 
 /// Where null says that a quantity has no meaning in the scene instead of that a number went bad.
-bool may_be_missing(const std::string& path) { return path == ".conservation.momentum" || path == ".conservation.energy"; }
+bool may_be_missing(const std::string& path) {
+  return path == ".conservation.momentum" || path == ".conservation.energy";
+}
 
 /// The first place below `value` where a number belongs and none is; JSON has null for what is not finite.
 std::string first_bad_number(const Json& value, const std::string& path) {
@@ -41,11 +43,13 @@ Judgement judge_finished(const std::string& text) {
   if (!summary.is_object()) return lie(text.empty() ? "there is no summary" : "the summary cannot be read");
   const std::string status = text_at(summary, "status");
   if (status != "finished") return lie("the exit status is 0, but the summary says \"" + status + "\"");
-  if (const std::string bad = first_bad_number(summary, ""); !bad.empty()) return lie("not a finite number: " + bad.substr(1));
+  if (const std::string bad = first_bad_number(summary, ""); !bad.empty())
+    return lie("not a finite number: " + bad.substr(1));
   for (const char* key : {"time", "steps", "overlap"})
     if (!summary.contains(key)) return lie(std::string("the summary has no ") + key);
   const Json& overlap = summary["overlap"];
-  if (!overlap.is_object() || !overlap.contains("orphans") || !overlap["orphans"].is_number_integer()) return lie("the summary does not count orphans");
+  if (!overlap.is_object() || !overlap.contains("orphans") || !overlap["orphans"].is_number_integer())
+    return lie("the summary does not count orphans");
   const auto orphans = overlap["orphans"].get<long long>();
   if (orphans != 0) return {Verdict::orphans, std::to_string(orphans) + " cells at the overlap without a donor"};
   return {};
@@ -103,7 +107,8 @@ Judgement judge_run_in(const RunEnding& ending, const std::string& directory) {
   const Judgement judgement = judge_run(ending, file_text(directory + "/summary.json"));
   if (judgement.verdict != Verdict::passed) return judgement;
   for (const char* table : {"bodies.csv", "interface.csv"})
-    if (bad_last_row(file_text(directory + "/" + table))) return lie(std::string("not a finite number in the last row of ") + table);
+    if (bad_last_row(file_text(directory + "/" + table)))
+      return lie(std::string("not a finite number in the last row of ") + table);
   return judgement;
 }
 

@@ -57,11 +57,46 @@ TEST(StressScenes, AreOfAllKinds) {
 TEST(StressScenes, CoverTheKeysAUserWouldTry) {
   std::string all;
   for (std::uint64_t seed = 0; seed < 400; ++seed) all += stress_scene(seed);
-  for (const char* words :
-       {"\"linear\"", "saint_venant_kirchhoff", "neo_hookean", "\"traditional\"", "traditional-subiterated", "anti-traditional",
-        "\"projection\"", "\"rigid\"", "van_albada", "minmod", "\"none\"", "\"exact\"", "hlle", "cfl = 1\n", "density = 0\n", "mass = 0\n",
-        "p_inf", "periodic", "fixed", "motion.x", "force.x", "half_space", "slab", "circle", "ellipse", "stick", "rectangle", "polygon",
-        "annulus", "plate", "strip", "hole", "\"shock\"", "\"riemann\"", "\"uniform\"", "\"regions\"", "plane_wave", "formula", "fsrp", "face_ratio"})
+  for (const char* words : {"\"linear\"",
+                            "saint_venant_kirchhoff",
+                            "neo_hookean",
+                            "\"traditional\"",
+                            "traditional-subiterated",
+                            "anti-traditional",
+                            "\"projection\"",
+                            "\"rigid\"",
+                            "van_albada",
+                            "minmod",
+                            "\"none\"",
+                            "\"exact\"",
+                            "hlle",
+                            "cfl = 1\n",
+                            "density = 0\n",
+                            "mass = 0\n",
+                            "p_inf",
+                            "periodic",
+                            "fixed",
+                            "motion.x",
+                            "force.x",
+                            "half_space",
+                            "slab",
+                            "circle",
+                            "ellipse",
+                            "stick",
+                            "rectangle",
+                            "polygon",
+                            "annulus",
+                            "plate",
+                            "strip",
+                            "hole",
+                            "\"shock\"",
+                            "\"riemann\"",
+                            "\"uniform\"",
+                            "\"regions\"",
+                            "plane_wave",
+                            "formula",
+                            "fsrp",
+                            "face_ratio"})
     EXPECT_NE(all.find(words), std::string::npos) << words;
 }
 

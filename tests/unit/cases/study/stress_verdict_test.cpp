@@ -71,7 +71,8 @@ TEST(StressVerdict, LooksAtTheLastRowsOfHistories) {
 
 TEST(StressVerdict, HasAWordForEach) {
   ASSERT_EQ(verdicts().size(), 7u);
-  for (const Verdict verdict : verdicts()) EXPECT_EQ(acceptable(verdict), verdict <= Verdict::numerical) << name_of(verdict);
+  for (const Verdict verdict : verdicts())
+    EXPECT_EQ(acceptable(verdict), verdict <= Verdict::numerical) << name_of(verdict);
   EXPECT_STREQ(name_of(Verdict::passed), "passed");
   EXPECT_STREQ(name_of(Verdict::orphans), "orphans");
 }
