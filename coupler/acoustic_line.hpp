@@ -2,7 +2,7 @@
 // without limiter, seen from the interface outwards. With x the distance from the interface, u the velocity along x and
 // q = p in a gas, q = −σ in a solid,
 //   ρ u_t + q_x = 0,   q_t + ρc² u_x = 0,
-// and in the variables a = √z u, b = q/√z, z = ρc, whose squares are twice the energy per length over c,
+// and in the variables a = √z u, b = q/√z, z = ρc, whose squares sum up to 2c times the energy per length,
 //   a_t + c b_x = 0,   b_t + c a_x = 0.
 // Central slopes; in the cell at the interface that of the parabola through the three cells next to it. Face states
 // w ∓ ½δ − ½λ(δ_b, δ_a), λ = c Δt/h; upwind fluxes. Order 1: slopes zero. What happens at the interface is given.
