@@ -93,6 +93,7 @@ void add_stability(CLI::App& study, Run& run) {
   command->add_option("--steps", options->steps, "that a disturbance is followed for")
       ->capture_default_str()
       ->check(count_from(10, 1000000));
+  command->add_flag("--along-wall", options->along_wall, "disturb strips along the wall, too: what happens in the plane");
   command->add_flag("--threshold", options->threshold,
                     "find by bisection where growth begins, between the least and the largest value");
   const auto member = add_kind<GrowthMemberOptions>(
@@ -102,6 +103,7 @@ void add_stability(CLI::App& study, Run& run) {
       ->add_option("--steps", member->steps, "that a disturbance is followed for")
       ->capture_default_str()
       ->check(count_from(10, 1000000));
+  study.get_subcommand("growth")->add_flag("--along-wall", member->along_wall, "disturb strips along the wall, too");
 }
 
 void add_stress(CLI::App& study, Run& run) {

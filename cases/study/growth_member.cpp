@@ -26,6 +26,7 @@ int write_growth(GrowthMemberOptions options) {
   const CaseDescription description = read_case(options.case_name, options.overrides, options.cases_root);
   DisturbanceOptions disturbance;
   disturbance.steps = options.steps;
+  disturbance.along_wall = options.along_wall;
   const Growth growth = measure_growth(description, disturbance);
   Json json = {{"status", growth.status}, {"reason", growth.reason},
                {"time", growth.time},     {"steps", growth.steps},
@@ -34,6 +35,7 @@ int write_growth(GrowthMemberOptions options) {
   std::string why;
   if (const auto prediction = predict_growth(description, &why)) {
     json["predicted"] = prediction->factor;
+    json["predicted_along_wall_at_most"] = prediction->along_wall;
     json["predicted_rate"] = prediction->rate;
     json["ratio"] = prediction->ratio;
   }

@@ -10,6 +10,7 @@ namespace mortise {
 
 struct GrowthMemberOptions : StudyOptions {  // output: the file
   int steps = 400;
+  bool along_wall = false;  // noise that varies along the wall (growth.hpp)
 };
 
 /// Measures the growth of small disturbances of the case and writes what came of it. 0, or 3 when a run failed.

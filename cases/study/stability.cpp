@@ -46,6 +46,7 @@ void measure(std::vector<SchemePoint>& points, const StabilityOptions& options, 
     files.push_back(folder + "/" + task.name + ".growth.json");
     task.arguments = {"study",    "growth",    options.case_name, "--steps", std::to_string(options.steps),
                       "--output", files.back()};
+    if (options.along_wall) task.arguments.push_back("--along-wall");
     task.identity = read_case(options.case_name, point.overrides, options.cases_root).text;
     for (const std::string& setting : point.overrides) task.arguments.insert(task.arguments.end(), {"--set", setting});
     for (const std::string& word : task.arguments) task.identity += "\n" + word;

@@ -13,6 +13,7 @@ struct StabilityOptions : StudyOptions {
   std::string schemes;     // "a,b,c"; empty: all that can run the scene
   int steps = 400;         // that a disturbance is followed for, at most
   bool threshold = false;  // find where growth begins, between the least and the largest value
+  bool along_wall = false;  // disturbances that vary along the wall of a strip, too; theory is that of plane ones
 };
 
 /// A disturbance grows when its factor per step exceeds this: conserved quantities keep theirs at 1 up to what a few

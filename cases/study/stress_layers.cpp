@@ -114,7 +114,7 @@ Scene hole(Dice& dice, const std::string& title) {
   const Flow flow = draw_flow(dice, stage, weakness_of(stage, material));
   const std::string scheme = draw_interface_scheme(dice);
   CaseText text = begin_scene(dice, title, scheme, stage, flow);
-  const double radius = Dice::rounded(stage.length * dice.between(0.25, 0.5));
+  const double radius = Dice::rounded(std::max(stage.length * dice.between(0.25, 0.5), 8 * stage.spacing()));
   text.table("grid").number("factor", stage.factor);
   const double edge = Dice::rounded(1.5 * radius);
   text.numbers("low", {-edge, -edge}).numbers("high", {edge, edge});
