@@ -88,7 +88,8 @@ class ContactSolver {
     find_touching();
     const std::vector<std::size_t> list = touching_list();
     std::vector<double> change;  // least change of the normal velocities
-    for (const std::size_t c : list) change.push_back(-(1 + (bounces(contacts_[c]) ? restitution : 0)) * normal_velocity(contacts_[c]));
+    for (const std::size_t c : list)
+      change.push_back(-(1 + (bounces(contacts_[c], list) ? restitution : 0)) * normal_velocity(contacts_[c]));
     if (list.empty() || *std::ranges::max_element(change) <= negligible()) return false;
     const LeastDistance least =
         least_distance(static_cast<std::size_t>(dofs) * roots_.size(), columns(list), change, negligible());
@@ -100,8 +101,13 @@ class ContactSolver {
     return true;
   }
 
-  bool bounces(const ContactPoint<Dim>& contact) const {
-    return bodies_[static_cast<std::size_t>(contact.a)].inert && (contact.b < 0 || bodies_[static_cast<std::size_t>(contact.b)].inert);
+  /// A body without mass has nothing to bounce back with. Between others it hands on what hits it.
+  bool bounces(const ContactPoint<Dim>& contact, const std::vector<std::size_t>& touching) const {
+    const auto can = [&](int body) {
+      if (body < 0 || bodies_[static_cast<std::size_t>(body)].inert) return true;
+      return std::ranges::count_if(touching, [&](std::size_t c) { return contacts_[c].a == body || contacts_[c].b == body; }) > 1;
+    };
+    return can(contact.a) && can(contact.b);
   }
 
   std::vector<std::size_t> touching_list() const {

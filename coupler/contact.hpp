@@ -5,8 +5,8 @@
 //
 // for all contacts at once: of all admissible changes the one with the least energy ½ Δyᵀ M Δy. The energy does not
 // grow and impulses are equal and opposite. Where that leaves bodies approaching at another contact, the law is applied
-// again (a second impact), at last with ε = 0, after which nothing approaches. A body without mass takes no part in
-// bouncing: ε = 0 at its contacts.
+// again (a second impact), at last with ε = 0, after which nothing approaches. A body without mass bounces
+// off nothing: ε = 0 where it touches one other thing only.
 // Source: Moreau, Unilateral contact and dry friction in finite freedom dynamics, CISM 302 (1988). No friction.
 #pragma once
 

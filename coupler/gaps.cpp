@@ -25,6 +25,8 @@ ContactPoint<2> gap_between(const GapBody<2>& A, const GapBody<2>& B) {
 
 constexpr std::size_t vertex_step = 16;  // of an outline's vertices every so manieth is looked at for the ends of a flat side
 
+constexpr double flat = 0.999;  // cosine between the normals at points of two flat sides that face each other
+
 /// Of points in the order in which they are offered the two that are farthest apart along a tangent.
 struct Ends {
   Point<2> tangent;
@@ -32,6 +34,7 @@ struct Ends {
   double from = 1e300, to = -1e300;
 
   void offer(const ContactPoint<2>& contact) {
+    if (std::abs(contact.normal[0] * tangent[1] - contact.normal[1] * tangent[0]) < flat) return;  // round a corner
     const double s = contact.point.dot(tangent);
     if (s < from) from = s, low = contact;
     if (s > to) to = s, high = contact;

@@ -11,6 +11,9 @@
 namespace mortise {
 namespace {
 
+// Patience with steps that have to be repeated is for schemes that are stable by design and for steps chosen by the
+// program: explicit coupling of light bodies, or Δt too long for the waves, must not hide behind ever shorter steps.
+//
 // A step that is repeated with more than this part of its Δt was only adjusted to walls that gain speed: with a Courant
 // number near 1 that may happen in every step, and tells nothing of the coupling. Bodies of next to no mass in contact
 // change their speed at once, however short the step: of walls that are too fast half as much counts.
@@ -65,6 +68,10 @@ Simulation<Dim>::Simulation(const Communicator& comm, SimulationSetup<Dim> setup
     initial_poses_.push_back(body.body.pose);
     round_.push_back(body.outline && is_round(*body.outline));
   }
+  patient_ = setup_.time_step <= 0 && (bodies_.empty() || !scheme_->needs_mass) &&
+             std::none_of(setup_.solids.begin(), setup_.solids.end(), [](const SolidSetup& solid) {
+               return solid.interface && (solid.interface->scheme == "traditional" || solid.interface->scheme == "anti-traditional");
+             });
   mean_velocity_.resize(bodies_.size(), BodyVector<Dim>::Zero());
   loads_.resize(bodies_.size());
 }
@@ -357,15 +364,15 @@ typename Simulation<Dim>::Motion Simulation<Dim>::attempt(Plan& plan) {
     const std::string bad_gas = judged ? fluid_.first_bad_cell(motion.paths) : "";
     const std::string bad = judged && bad_gas.empty() ? deforming_.first_bad_cell(motion.deforming) : bad_gas;
     deforming_.reject(motion.deforming);
-    if (!lost.empty() && (admissible || tries >= runaway_tries))
+    if (!lost.empty() && (admissible || !patient_ || tries >= runaway_tries))
       throw NumericalError("the coupling is unstable, " + lost + (bad.empty() ? "" : "; first bad cell: " + bad));
     const double shorter = too_fast ? std::max(0.5, std::min(0.95, setup_.cfl / fastest)) : 0.5;
     ++repeats_;
-    if (shorter < adjusted) restless_ += too_fast ? 1 : 2;
+    if (!patient_ || shorter < adjusted) restless_ += too_fast && patient_ ? 1 : 2;
     if (restless_ > 2 * repeat_limit)
       throw NumericalError(std::string(setup_.fluid.bodies.empty() ? "" : "the coupling is unstable, ") + "steps have to be repeated again and again" + (bad.empty() ? "" : ", last for " + bad));
     if (tries >= 30 || dt < 1e-14 * std::fabs(time_)) throw NumericalError(bad.empty() ? "no time step is short enough" : bad);
-    if (tries > 0 && !bad_gas.empty()) first_order = true;
+    if (patient_ && tries > 0 && !bad_gas.empty()) first_order = true;
     dt *= shorter;
   }
 }

@@ -168,6 +168,7 @@ class Simulation {
   double time_ = 0, last_step_ = 0;
   double fastest_wave_ = 0;  // |u| + c of the initial state, at most
   std::int64_t step_ = 0, cell_updates_ = 0, cells_skipped_ = 0, contacts_ = 0, repeats_ = 0, first_order_steps_ = 0;
+  bool patient_ = true;  // with steps that have to be repeated (simulation.cpp)
   int restless_ = 0;  // 2 × repeated steps (but for adjusted ones) − others, at least 0
 };
 

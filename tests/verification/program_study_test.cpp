@@ -97,7 +97,7 @@ TEST_F(Study, StabilityPutsTheoryBesideTheRun) {
   const nlohmann::json all = nlohmann::json::parse(read_file(folder / "study/study.json"));
   ASSERT_EQ(all["points"].size(), 4u);
   EXPECT_NEAR(all["points"][0]["measured"].get<double>(), 2, 0.02);
-  EXPECT_NEAR(all["points"][0]["predicted"].get<double>(), 2, 1e-6);
+  EXPECT_NEAR(all["points"][0]["predicted"].get<double>(), 2, 1e-4);
   for (const std::size_t k : {1u, 2u, 3u}) {
     EXPECT_LE(all["points"][k]["measured"].get<double>(), 1) << k;
     EXPECT_LE(all["points"][k]["predicted"].get<double>(), 1 + 1e-12) << k;
@@ -116,7 +116,8 @@ TEST_F(Study, StressGoesOnWithTheNextSeed) {
   const Outcome second = study({"stress", "--scenes", "5", "--seed", "5", "--minutes", "2"});
   ASSERT_EQ(second.status, 0) << second.output << second.errors;
   std::vector<int> seeds;
-  for (const CsvRow& row : csv_rows(folder / "study/study.csv")) seeds.push_back(std::stoi(row.at("seed")));
+  for (const std::string& line : lines(read_file(folder / "study/journal.jsonl")))
+    seeds.push_back(nlohmann::json::parse(line).at("seed"));
   EXPECT_EQ(seeds, (std::vector<int>{5, 6, 7, 8, 9}));
 }
 

@@ -79,7 +79,7 @@ TEST(Gaps, OfFlatSidesAreThereAtBothEnds) {
   }
   EXPECT_LT(low, -0.1);  // the sides face each other from −0.17 to 0.27
   EXPECT_GT(high, 0.2);
-  EXPECT_EQ(find_gaps<2>({body(stick, 0, 0), body(stick, 0.4, 0, std::numbers::pi / 4)}, square(1), {false, false}, 0.1)
+  EXPECT_EQ(find_gaps<2>({body(stick, 0, 0), body(stick, 0.37, 0, std::numbers::pi / 4)}, square(1), {false, false}, 0.1)
                 .size(),
             1u);
 }
