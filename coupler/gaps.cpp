@@ -27,17 +27,19 @@ constexpr std::size_t vertex_step = 16;  // of an outline's vertices every so ma
 
 constexpr double flat = 0.999;  // cosine between the normals at points of two flat sides that face each other
 
-/// Of points in the order in which they are offered the two that are farthest apart along a tangent.
+/// Of the points that are offered the first and the last along a tangent that are about as close as the closest: one
+/// that is farther off by δ counts as if it were 4δ less far along, so that flat sides end where they turn by 1 in 4.
 struct Ends {
   Point<2> tangent;
   ContactPoint<2> low, high;
+  double closest;
   double from = 1e300, to = -1e300;
 
   void offer(const ContactPoint<2>& contact) {
     if (std::abs(contact.normal[0] * tangent[1] - contact.normal[1] * tangent[0]) < flat) return;  // round a corner
-    const double s = contact.point.dot(tangent);
-    if (s < from) from = s, low = contact;
-    if (s > to) to = s, high = contact;
+    const double s = contact.point.dot(tangent), late = 4 * std::max(0.0, contact.gap - closest);
+    if (s + late < from) from = s + late, low = contact;
+    if (s - late > to) to = s - late, high = contact;
   }
 };
 
@@ -71,7 +73,7 @@ std::vector<ContactPoint<2>> contacts_between(const GapBody<2>& A, const GapBody
   const ContactPoint<2> closest = gap_between(A, B);
   std::vector<ContactPoint<2>> contacts;
   if (closest.gap >= within) return contacts;
-  Ends ends{Point<2>(-closest.normal[1], closest.normal[0]), closest, closest};
+  Ends ends{Point<2>(-closest.normal[1], closest.normal[0]), closest, closest, closest.gap};
   if (closest.gap > 0 && !is_round(*A.outline) && !is_round(*B.outline)) {
     offer_points(A, B, within, 1, ends);
     offer_points(B, A, within, -1, ends);
@@ -96,7 +98,7 @@ std::vector<ContactPoint<2>> contacts_with_edge(const GapBody<2>& body, const Po
     if (const ContactPoint<2> contact = contact_at(X); contact.gap < closest.gap) closest = contact;
   std::vector<ContactPoint<2>> contacts;
   if (closest.gap >= within) return contacts;
-  Ends ends{Point<2>(-normal[1], normal[0]), closest, closest};
+  Ends ends{Point<2>(-normal[1], normal[0]), closest, closest, closest.gap};
   if (!is_round(*body.outline))
     for (std::size_t k = 0; k < vertices.size(); k += vertex_step)
       if (const ContactPoint<2> contact = contact_at(vertices[k]); contact.gap < within) ends.offer(contact);
