@@ -85,6 +85,7 @@ def stability(study, figure):
     columns = max(1, min(4, len(maps)))
     rows = -(-len(maps) // columns)
     layout = figure.add_gridspec(1 + rows, columns, height_ratios=[1.5] + [1] * rows)
+    panels = []
     axes = figure.add_subplot(layout[0, :])
     for k, scheme in enumerate(dict.fromkeys(p["scheme"] for p in study["points"])):
         points = sorted((p for p in study["points"] if p["scheme"] == scheme), key=lambda p: p["value"])
@@ -96,21 +97,22 @@ def stability(study, figure):
     axes.axhline(1, color="0.4", lw=0.8)
     axes.set(xscale="log", yscale="log", xlabel=study["vary"], ylabel="growth per step",
              title="small disturbances: measured (symbols), amplification matrix (lines)")
-    axes.legend(loc="upper left", bbox_to_anchor=(1, 1), frameon=False)
+    axes.legend(loc="upper center", ncol=3)
     image = None
     for k, one in enumerate(maps):
         panel = figure.add_subplot(layout[1 + k // columns, k % columns])
         factors = [[min(max(f if f is not None else 1e3, 1e-3), 1e3) for f in one["factor"][i * len(one["cfl"]):(i + 1) * len(one["cfl"])]]
                    for i in range(len(one["ratio"]))]
         values = [list(row) for row in zip(*factors)]
+        panel.grid(False)
         image = panel.pcolormesh(one["ratio"], one["cfl"], [[f - 1 for f in row] for row in values],
                                  norm=matplotlib.colors.SymLogNorm(0.02, vmin=-10, vmax=10), cmap="RdBu_r", shading="nearest")
         if min(map(min, values)) < 1 + 3e-4 < max(map(max, values)):
             panel.contour(one["ratio"], one["cfl"], values, levels=[1 + 3e-4], colors="k", linewidths=1)
-        panel.set(xscale="log", title=one["scheme"], xlabel=study["ratio"], ylabel="CFL")
-        panel.grid(False)
+        panel.set(xscale="log", title=one["scheme"], xlabel=study["ratio"], ylabel="CFL", xlim=(one["ratio"][0], one["ratio"][-1]))
+        panels.append(panel)
     if image is not None:
-        figure.colorbar(image, ax=figure.axes[1:], label="growth per step $-$ 1", shrink=0.8)
+        figure.colorbar(image, ax=panels, label="growth per step $-$ 1", shrink=0.8)
     figure.suptitle(f"{study['case']}: stability")
 
 
