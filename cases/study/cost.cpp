@@ -37,6 +37,16 @@ Member member_of(const CostOptions& options, const SchemeVariant& scheme, const 
   return member;
 }
 
+/// Every repeat begins with another point, so that none is always run first, or after the most expensive one.
+std::size_t first_of(int repeat, int repeats, std::size_t points) {
+  return points * static_cast<std::size_t>(repeat) / static_cast<std::size_t>(repeats);
+}
+
+/// Where the result of a point is among those of all members.
+std::size_t place_of(std::size_t point, int repeat, int repeats, std::size_t points) {
+  return static_cast<std::size_t>(repeat) * points + (point + points - first_of(repeat, repeats, points)) % points;
+}
+
 Plan plan_of(const CostOptions& options, const CaseDescription& base, const Variation& vary) {
   Plan plan;
   plan.self = options.against == "self";
@@ -58,9 +68,10 @@ Plan plan_of(const CostOptions& options, const CaseDescription& base, const Vari
           member.weight = std::pow(value / vary.values.front(), 3);
           once.push_back(member);
         }
-  for (int repeat = 1; repeat <= options.repeats; ++repeat)
-    for (Member member : once) {
-      member.name += "_" + std::to_string(repeat);
+  for (int repeat = 0; repeat < options.repeats; ++repeat)
+    for (std::size_t k = 0; k < once.size(); ++k) {
+      Member member = once[(k + first_of(repeat, options.repeats, once.size())) % once.size()];
+      member.name += "_" + std::to_string(repeat + 1);
       member.keep_fields = plan.self;
       plan.members.push_back(member);
     }
@@ -127,7 +138,7 @@ std::set<std::string> measure(Plan& plan, const std::vector<MemberResult>& resul
     CostPoint& point = plan.points[k];
     std::vector<double> seconds;
     for (int repeat = 0; repeat < options.repeats; ++repeat)
-      seconds.push_back(results[k + static_cast<std::size_t>(repeat) * count].seconds);
+      seconds.push_back(results[place_of(k, repeat, options.repeats, count)].seconds);
     point.status = results[k].status;
     point.error = results[k].finished() ? combined(errors[k], unit, options.quantity) : nothing;
     point.seconds = median(seconds);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "mortise/cases/study/comparison_parts.hpp"
 #include "mortise/cases/study/scheme_variant.hpp"
@@ -30,6 +31,26 @@ std::vector<Comparison> chosen(const std::string& only) {
   return some;
 }
 
+nlohmann::ordered_json data_of(const Table& table) {
+  using Json = nlohmann::ordered_json;
+  Json data = {{"title", table.title}, {"columns", Json::array()}, {"rows", Json::array()}};
+  for (const TableColumn& column : table.columns) data["columns"].push_back(column.key);
+  for (const auto& row : table.rows) {
+    Json values = Json::array();
+    for (const TableValue& value : row)
+      std::visit(
+          [&]<class Value>(const Value& known) {
+            if constexpr (std::is_same_v<Value, std::monostate>)
+              values.push_back(nullptr);
+            else
+              values.push_back(known);
+          },
+          value);
+    data["rows"].push_back(values);
+  }
+  return data;
+}
+
 }  // namespace
 
 std::vector<Comparison> comparisons() {
@@ -46,17 +67,20 @@ int study_published(PublishedOptions options) {
     members.insert(members.end(), comparison.members.begin(), comparison.members.end());
   const std::vector<MemberResult> results = run_members(members, options);
   std::string text, values;
+  nlohmann::ordered_json data = {{"kind", "published"}};
   std::size_t first = 0;
   for (const Comparison& comparison : all) {
     for (const Table& table : comparison.tables({results.data() + first, comparison.members.size()})) {
       text += (text.empty() ? "" : "\n") + markdown(table);
+      data["tables"].push_back(data_of(table));
       values += "# " + table.title + "\n" + csv(table);
     }
     first += comparison.members.size();
   }
   write_file(options.output + "/study.md", text);
   write_file(options.output + "/study.csv", values);
-  std::printf("\n%s\ntables    %s/study.md, study.csv\n", text.c_str(), options.output.c_str());
+  write_file(options.output + "/study.json", data.dump(2) + '\n');
+  std::printf("\n%s\ntables    %s/study.md, study.csv, study.json\n", text.c_str(), options.output.c_str());
   return 0;
 }
 
