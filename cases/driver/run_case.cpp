@@ -71,7 +71,7 @@ class Run {
     agree(comm_, [&] {
       if (comm_.rank() == 0) check_output_directory(directory_, options_.overwrite, continued);
     });
-    simulation_.initialize();
+    agree(comm_, [&] { simulation_.initialize(); });  // refuses what cannot begin, on all ranks alike
     agree(comm_, [&] { check_initial_state(description_, simulation_); });
     if (restart) {
       Checkpoint checkpoint;
@@ -170,7 +170,7 @@ void check_case_runs(const CaseDescription& description, const Communicator& com
   const auto build = [&]<int Dim>() {
     Scene<Dim> scene = agreed_scene<Dim>(description, comm);
     Simulation<Dim> simulation(comm, std::move(scene.setup));
-    simulation.initialize();
+    agree(comm, [&] { simulation.initialize(); });
     agree(comm, [&] { check_initial_state(description, simulation); });
   };
   if (scene_dimension(description) == 1)

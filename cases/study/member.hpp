@@ -44,13 +44,14 @@ struct MemberResult {
   bool finished() const { return status == "finished"; }
 };
 
-/// Reads and checks every member before anything runs, and builds the scenes of those whose names are in `build` (all
-/// others differ from them in numbers only). Throws InputError.
+/// Reads and checks every member before anything runs. Throws InputError.
 std::vector<CaseDescription> check_members(const std::vector<Member>& members, const std::string& cases_root);
+/// Builds the scene as well, and cuts its first overlap. Throws InputError.
 void check_scene(const CaseDescription& description);
 
-/// Runs them below options.output/members; results in their order. Throws InputError for a member that was refused
-/// although its case reads well, EnvironmentError for one that failed for want of disk or memory.
+/// Runs them below options.output/members, the most expensive first or, `interleave`, in their order; results in their
+/// order. Throws InputError for a member that was refused although its case reads well, EnvironmentError for one that
+/// failed for want of disk or memory.
 std::vector<MemberResult> run_members(const std::vector<Member>& members, const StudyOptions& options,
                                       bool interleave = false);
 
