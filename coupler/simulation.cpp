@@ -72,6 +72,8 @@ Simulation<Dim>::Simulation(const Communicator& comm, SimulationSetup<Dim> setup
              std::none_of(setup_.solids.begin(), setup_.solids.end(), [](const SolidSetup& solid) {
                return solid.interface && (solid.interface->scheme == "traditional" || solid.interface->scheme == "anti-traditional");
              });
+  if constexpr (Dim == 2)
+    if (setup_.reference_map) reference_map_ = std::make_unique<ReferenceMapScene>(*setup_.reference_map, fluid_, timers_);
   mean_velocity_.resize(bodies_.size(), BodyVector<Dim>::Zero());
   loads_.resize(bodies_.size());
 }
@@ -115,6 +117,11 @@ void Simulation<Dim>::initialize() {
   try {
     deforming_.initialize();
     fluid_.initialize(setup_.initial, present(), time_);
+    if constexpr (Dim == 2)
+      if (reference_map_) {
+        reference_map_->initialize(setup_.initial);
+        fluid_.refresh(time_);
+      }
   } catch (const NumericalError& error) {  // nothing has been computed yet
     throw InputError(std::string("at t = 0 ") + error.what() + ": use finer cells (grid.factor), wider gaps or thicker solids");
   }
@@ -381,6 +388,7 @@ template <int Dim>
 bool Simulation<Dim>::step(const Motion& motion, const Plan& plan, bool first_order) {
   for (const DeformingInterface::Step& interface : motion.deforming)
     if (!interface.admissible) return false;  // found on every rank alike
+  if (reference_map_ && !reference_map_->begin(plan.dt)) return false;
   const bool fluid = fluid_.step(motion.paths, motion.pressure, plan.dt, first_order);
   return deforming_.advance(motion.deforming, time_, plan.dt, plan.stride) && fluid;
 }
@@ -405,6 +413,7 @@ void Simulation<Dim>::accept(const Motion& motion, const Plan& plan) {
   deforming_.accept(motion.deforming, time_, plan.dt, plan.stride);
   least_j_ = std::min(least_j_, deforming_.least_j());
   fluid_.commit(present(), time_);
+  if (reference_map_) reference_map_->finish(plan.dt, time_);
 }
 
 template <int Dim>
@@ -442,6 +451,7 @@ void Simulation<Dim>::resume(const std::vector<double>& state) {
   }
   deforming_.resume(next, time_);
   fluid_.resume(present(), time_);
+  if (reference_map_) reference_map_->resume(time_);
 }
 
 template class Simulation<1>;

@@ -23,6 +23,7 @@
 #include "mortise/coupler/body_schemes.hpp"
 #include "mortise/coupler/contact_step.hpp"
 #include "mortise/coupler/deforming_scene.hpp"
+#include "mortise/coupler/reference_map/reference_map_scene.hpp"
 #include "mortise/fluid/euler_solver.hpp"
 #include "mortise/solid/rigid_body.hpp"
 
@@ -45,6 +46,7 @@ struct SimulationSetup {
   std::vector<BodySetup<Dim>> bodies;    // rigid: the first entries of fluid.bodies, in their order
   std::vector<SolidSetup> solids;        // Dim = 2; their interfaces are the next entries of fluid.bodies
   std::vector<StructureSetup> structures;  // Dim = 2; and theirs the last
+  std::optional<ReferenceMapSetup> reference_map;  // Dim = 2; in place of bodies, solids and structures
   StateFunction<Dim> initial;            // (ρ, u, p̃) at t = 0
   std::string scheme = "rigid";          // key of body_schemes()
   Point<Dim> gravity = Point<Dim>::Zero();
@@ -102,6 +104,9 @@ class Simulation {
   const std::vector<std::unique_ptr<ElasticSolver>>& solids() const { return deforming_.solids(); }
   /// Of the solids and structures with an interface, in the order of fluid.bodies.
   std::vector<InterfaceState> interfaces() const { return deforming_.states(); }
+  /// nullptr unless the scene is a continuum of gas and solids.
+  ReferenceMapScene* reference_map() { return reference_map_.get(); }
+  const ReferenceMapScene* reference_map() const { return reference_map_.get(); }
   /// Smallest J seen in any solid since the start (1: none, or linear elasticity only).
   double least_j() const { return least_j_; }
   EulerSolver<Dim>& fluid() { return fluid_; }
@@ -162,6 +167,7 @@ class Simulation {
   std::vector<BodyVector<Dim>> mean_velocity_;  // of the last step: the velocity the grids had
   std::vector<BodyLoad<Dim>> loads_;
   DeformingScene deforming_;  // empty for Dim = 1
+  std::unique_ptr<ReferenceMapScene> reference_map_;
   double least_j_ = 1;
   const BodyScheme<Dim>* scheme_;
   Plan last_plan_{};  // of the last step

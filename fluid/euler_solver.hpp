@@ -11,6 +11,7 @@
 
 #include "mortise/fluid/boundary.hpp"
 #include "mortise/fluid/godunov_step.hpp"
+#include "mortise/fluid/tile_stepper.hpp"
 #include "mortise/grids/core/timers.hpp"
 #include "mortise/grids/forest/ghost_exchange.hpp"
 #include "mortise/grids/geometry/cell_mean.hpp"
@@ -99,6 +100,9 @@ class EulerSolver {
   /// Throws InputError when cells and tiles, or meshes and their sides, do not fit.
   EulerSolver(const Communicator& comm, EulerSetup<Dim> setup, PhaseTimers& timers);
 
+  /// Tiles of the background that `stepper` covers are advanced by it; not owned.
+  void set_stepper(TileStepper<Dim>* stepper) { stepper_ = stepper; }
+
   /// Sets every cell from a function of position (ρ, u, p̃); cuts holes for bodies at the ends of the paths `at`. Throws
   /// NumericalError for orphans.
   void initialize(const StateFunction<Dim>& initial, const std::vector<BodyPath<Dim>>& at, double time);
@@ -129,6 +133,8 @@ class EulerSolver {
   bool has_overlap() const { return overlap_ != nullptr; }
   const Overlap<Dim>& overlap() const { return *overlap_; }  // only where has_overlap()
   const EulerSetup<Dim>& setup() const { return setup_; }
+  /// After values of cells were changed from outside: refills ghosts.
+  void refresh(double time) { settle(time); }
   const StepCount& last_count() const { return count_; }
   std::size_t memory_bytes() const;
   /// After fields and rates were replaced from outside (restart): cuts without exposing anything, refills ghosts.
@@ -157,6 +163,7 @@ class EulerSolver {
   OverlapReport overlap_census() const { return overlap_ ? overlap_->census() : OverlapReport{}; }
 
  private:
+  bool special(int grid, int tile) const { return stepper_ && grids_[static_cast<std::size_t>(grid)].background() && stepper_->covers(tile); }
   bool has_background() const { return setup_.cells[0] > 0; }
   void append_background();
   void settle(double time);
@@ -201,6 +208,7 @@ class EulerSolver {
   std::vector<Pose<Dim>> poses_;
   Values filler_{};                                  // what holes contain
   StepCount count_;
+  TileStepper<Dim>* stepper_ = nullptr;
 };
 
 }  // namespace mortise

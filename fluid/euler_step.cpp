@@ -48,6 +48,7 @@ template <int Dim>
 StepResult EulerSolver<Dim>::step_tile(int g, int t, const std::vector<BodyPath<Dim>>& paths, const std::vector<std::vector<double>>& pressure,
                                        double dt, const StepOptions& options) {
   const ComponentGrid<Dim>& grid = grids_[static_cast<std::size_t>(g)];
+  if (special(g, t)) return stepper_->step(cartesian(g, t), t, dt, options);
   if (grid.background()) return godunov_step(cartesian(g, t), dt, options);
   const auto body = static_cast<std::size_t>(grid.body);
   place(g, t, paths[body], dt, 0.5);
@@ -127,7 +128,7 @@ bool EulerSolver<Dim>::step(const std::vector<BodyPath<Dim>>& paths, const std::
       }
       if (mask.cut() && mask.active_count == 0 && mask.hole) continue;
       StepResult result = step_tile(static_cast<int>(g), t, paths, pressure, dt, options);
-      if (first_order && !result.admissible) result = restore_pressure(static_cast<int>(g), t);
+      if (first_order && !result.admissible && !special(static_cast<int>(g), t)) result = restore_pressure(static_cast<int>(g), t);
       computed_[g][tile] = 1;
       new_rates_[g][tile] = result.rate;
       admissible = admissible && result.admissible;
@@ -154,7 +155,8 @@ void EulerSolver<Dim>::measure_rates(const std::vector<BodyPath<Dim>>& paths, do
       const TileMask& mask = grids_[g].masks[static_cast<std::size_t>(t)];
       if (!now_[g].tile(t).allocated() || (mask.cut() && mask.active_count == 0)) continue;
       if (grids_[g].background()) {
-        rate = wave_rate(cartesian(static_cast<int>(g), t), setup_.options).rate;
+        const CartesianTile<Dim> tile = cartesian(static_cast<int>(g), t);
+        rate = (special(static_cast<int>(g), t) ? stepper_->rate(tile, t, setup_.options) : wave_rate(tile, setup_.options)).rate;
       } else {
         place(static_cast<int>(g), t, paths[static_cast<std::size_t>(grids_[g].body)], dt, 0);
         rate = wave_rate(fitted(static_cast<int>(g), t), setup_.options).rate;
@@ -219,7 +221,7 @@ bool EulerSolver<Dim>::uniform(int g, int, const TileBlock& block) const {
 template <int Dim>
 bool EulerSolver<Dim>::quiet(int g, int t) const {
   const auto grid = static_cast<std::size_t>(g);
-  if (!uniform_[grid][static_cast<std::size_t>(t)] || grids_[grid].masks[static_cast<std::size_t>(t)].cut()) return false;
+  if (!uniform_[grid][static_cast<std::size_t>(t)] || special(g, t) || grids_[grid].masks[static_cast<std::size_t>(t)].cut()) return false;
   const TileShape<Dim>& shape = grids_[grid].shape;
   const TileBlock& block = now_[grid].tile(t);
   const std::size_t first = shape.at(0, 0);

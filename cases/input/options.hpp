@@ -7,10 +7,10 @@
 namespace mortise::options {
 
 inline const std::vector<std::string> schemes = {
-    "none", "rigid", "traditional", "projection", "traditional-subiterated", "anti-traditional"};
+    "none", "rigid", "traditional", "projection", "traditional-subiterated", "anti-traditional", "reference-map"};
 inline const std::vector<std::string> body_schemes = {"rigid", "traditional"};
 inline const std::vector<std::string> interface_schemes = {"projection", "traditional", "traditional-subiterated",
-                                                           "anti-traditional"};
+                                                           "anti-traditional", "reference-map"};
 inline const std::vector<std::string> limiters = {"none", "minmod", "mc", "van_albada"};
 inline const std::vector<std::string> riemann_solvers = {"hllc", "exact", "hlle"};
 inline const std::vector<std::string> boundaries = {"inflow", "outflow", "wall", "periodic", "exact"};

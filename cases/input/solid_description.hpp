@@ -86,6 +86,7 @@ struct CouplingDescription {
   std::string load = "current";                // p − p_e acts per current or per reference area
   double reference_pressure = 0;  // p_e; default: the gas's pressure at t = 0 (uniform, or ahead of the shock)
   bool substeps = true;           // a faster solid takes several steps within one of the gas
+  double blur = 2;        // reference-map: half width of the zone in which a solid fades into the gas, in cells
   double face_ratio = 1;          // faces of the gas per face of the solid along the interface
 };
 

@@ -113,6 +113,8 @@ void visit_coupling(Section& s, CouplingDescription& c) {
   s.number("reference_pressure", c.reference_pressure, any_number,
            "p_e, at which the undeformed solid is in equilibrium; omitted: that of the gas ahead at t = 0");
   s.boolean("substeps", c.substeps, "a solid that is faster than the gas takes several steps within one of the gas");
+  s.number("blur", c.blur, {.low = 1, .high = 4},
+           "reference-map: half width of the zone in which a solid fades into the gas, in cells");
   s.number("face_ratio", c.face_ratio, {.low = 0.125, .high = 8},
            "faces of the gas per face of the solid along interfaces");
 }

@@ -5,6 +5,7 @@
 
 #include "mortise/cases/exact/initial_state.hpp"
 #include "mortise/cases/scene/bodies.hpp"
+#include "mortise/cases/scene/mapped_solids.hpp"
 #include "mortise/cases/scene/solids.hpp"
 #include "mortise/grids/core/error.hpp"
 
@@ -158,7 +159,8 @@ Scene<Dim> build_scene(const CaseDescription& description) {
   std::vector<PlacedShape<Dim>> shapes;
   for (std::size_t b = 0; b < description.bodies.size(); ++b) add_body<Dim>(description, b, spacing, setup, shapes);
   if constexpr (Dim == 2) {
-    for (std::size_t k = 0; k < description.solids.size(); ++k) add_solid(description, k, spacing, scene.exact, setup, shapes);
+    const auto add = description.scheme == "reference-map" ? add_mapped_solid : add_solid;
+    for (std::size_t k = 0; k < description.solids.size(); ++k) add(description, k, spacing, scene.exact, setup, shapes);
     if (fluid.cells[0] == 0) fluid.domain = bounds_of(setup);
   }
   fluid.options.van_albada_floor = van_albada_floor<Dim>(setup, description.van_albada_k, description.spacing());

@@ -85,6 +85,12 @@ class Field {
     blocks_.resize(static_cast<std::size_t>(tiles));
     for (int t = 0; t < tiles; ++t) allocate(t);
   }
+  /// Without memory yet.
+  static Field unallocated(const TileShape<Dim>& shape, int components, int tiles) {
+    Field field(shape, components, 0);
+    field.blocks_.resize(static_cast<std::size_t>(tiles));
+    return field;
+  }
   const TileShape<Dim>& shape() const { return shape_; }
   int components() const { return components_; }
   int tiles() const { return static_cast<int>(blocks_.size()); }
