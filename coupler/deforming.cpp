@@ -188,6 +188,26 @@ void DeformingInterface::answer(Step& step, std::span<const WallTrace<2>> fluid,
   problem.area = areas_;
   for (std::size_t i = 0; i < areas_.size(); ++i) step.force -= (step.solution.load[i] - setup_.options.reference_pressure) * areas_[i];
   if (pace.substeps == 1) step.solution.traction = tractions(problem, step.solution.load, setup_.options);
+  account(step, dt);
+}
+
+double DeformingInterface::work_on_structure(std::span<const Point<2>> traction, std::span<const Point<2>> velocity, double dt) const {
+  double power = 0;
+  for (std::size_t k = 0; k < lengths_.size(); ++k) power += lengths_[k] * traction[k].dot(velocity[k]);
+  return dt * power;
+}
+
+/// The works on both sides (InterfaceState); take_substeps() has already summed those of the substeps. areas_: mean ones.
+void DeformingInterface::account(Step& step, double dt) const {
+  const std::size_t row = static_cast<std::size_t>(mesh_->row());
+  const auto moved_by = [&](std::size_t i) { return Point<2>(step.mesh->nodes[i] - mesh_->nodes[i]); };
+  for (std::size_t i = 0; i < areas_.size(); ++i) {
+    const Point<2> mean = 0.5 * (moved_by(i) + moved_by((i + 1) % row));
+    step.work_on_fluid += (step.solution.pressure[i] - setup_.options.reference_pressure) * areas_[i].dot(mean);
+  }
+  if (step.pace.substeps > 1 || !step.pace.finishes) return;
+  const auto [traction, velocity] = means(step, dt);
+  step.work_on_structure = work_on_structure(traction, velocity, impulse_.empty() ? dt : step.pace.size);
 }
 
 /// Moves the nodes over `dt`, the part `share` of a step of the structure, of which traces_ are the middle.
@@ -213,6 +233,7 @@ void DeformingInterface::take_substeps(Step& step, std::span<const WallTrace<2>>
     traces_ = structure_.traces(dt * share, 0.5);
     const InterfaceSolution part = ask(data, law, theta * dt, problem);
     step.admissible = structure_.step(part.traction, part.velocity, dt * share);
+    step.work_on_structure += work_on_structure(part.traction, part.velocity, dt * share);
     move_nodes(step.displacement, part, dt * share, 1);
     if (step.admissible) structure_.commit(time + (k + 1) * share * dt);
     add(step.solution.pressure, part.pressure, share);
@@ -223,14 +244,20 @@ void DeformingInterface::take_substeps(Step& step, std::span<const WallTrace<2>>
   }
 }
 
-bool DeformingInterface::advance(const Step& step, double dt) {
-  if (step.pace.substeps > 1) return step.admissible;
-  if (!step.pace.finishes) return true;
-  if (impulse_.empty()) return structure_.step(step.solution.traction, step.solution.velocity, dt);
+/// Mean traction and velocity of the structure's step that ends with this one of the fluid.
+std::pair<std::vector<Point<2>>, std::vector<Point<2>>> DeformingInterface::means(const Step& step, double dt) const {
+  if (impulse_.empty()) return {step.solution.traction, step.solution.velocity};
   std::vector<Point<2>> traction = moved(impulse_, step.solution.traction, dt), velocity = moved(advance_, step.solution.velocity, dt);
   for (std::vector<Point<2>>* mean : {&traction, &velocity})
     for (Point<2>& value : *mean) value /= step.pace.size;
-  return structure_.step(traction, velocity, step.pace.size);
+  return {std::move(traction), std::move(velocity)};
+}
+
+bool DeformingInterface::advance(const Step& step, double dt) {
+  if (step.pace.substeps > 1) return step.admissible;
+  if (!step.pace.finishes) return true;
+  const auto [traction, velocity] = means(step, dt);
+  return structure_.step(traction, velocity, impulse_.empty() ? dt : step.pace.size);
 }
 
 void DeformingInterface::reject(const Step& step) {
@@ -255,6 +282,8 @@ void DeformingInterface::accept(const Step& step, double time, double dt) {
   tabulate();
   pressure_ = step.solution.pressure;
   force_ = step.force;
+  work_on_fluid_ = step.work_on_fluid;
+  work_on_structure_ = step.work_on_structure;
   last_step_ = dt;
   half_time_ = time - 0.5 * dt;
 }
@@ -275,12 +304,14 @@ InterfaceState DeformingInterface::state() const {
   InterfaceState state{setup_.name, curve_.periodic, curve_.nodes, velocity_, pressure_, fluid_curve(displacement_), force_, half_time_};
   add(state.nodes, displacement_, 1);
   state.period = curve_.period;
+  state.work_on_fluid = work_on_fluid_;
+  state.work_on_structure = work_on_structure_;
   return state;
 }
 
 std::vector<double> DeformingInterface::motion_state() const {
   std::vector<double> state = {last_step_, half_time_, previous_mesh_ ? 1.0 : 0.0, static_cast<double>(history_.pressure.size()), impulse_.empty() ? 0.0 : 1.0,
-                               force_[0], force_[1]};
+                               force_[0], force_[1], work_on_fluid_, work_on_structure_};
   for (const std::vector<Point<2>>* points : {&displacement_, &previous_displacement_, &velocity_}) put(state, *points);
   state.insert(state.end(), pressure_.begin(), pressure_.end());
   for (const std::vector<Point<2>>* points : {&impulse_, &advance_})
@@ -302,6 +333,8 @@ const double* DeformingInterface::resume(const double* next) {
   const bool waits = *next++ != 0;
   force_ = Point<2>(next[0], next[1]);
   next += 2;
+  work_on_fluid_ = *next++;
+  work_on_structure_ = *next++;
   for (std::vector<Point<2>>* points : {&displacement_, &previous_displacement_, &velocity_}) next = take(next, *points);
   for (double& p : pressure_) p = *next++;
   for (std::vector<Point<2>>* points : {&impulse_, &advance_}) {

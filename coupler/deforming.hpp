@@ -16,6 +16,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mortise/coupler/interface_nodes.hpp"
@@ -48,6 +49,10 @@ struct InterfaceState {
   Point<2> force = Point<2>::Zero();             // of the fluid on the structure, mean over the last step
   double half_time = 0;                          // node velocities and pressure are those of this time
   Point<2> period = Point<2>::Zero();            // periodic: node n + faces is node n + period
+  /// Work of p̃ − p̃_e in the last step: Σ dt (p̃ − p̃_e) S̄·w̄ over the fluid's faces, S̄ and w̄ their mean area vectors and
+  /// velocities, and Σ dt L t_I·v_I over the structure's, for its steps that ended then (none: 0). With loads per current
+  /// area the impulses are opposite to round-off, but not the works: their sum over a run is O(h²) in smooth motions.
+  double work_on_fluid = 0, work_on_structure = 0;
 };
 
 /// One interface between a structure and the fluid grid around it, from step to step. Holds no fluid and no solid state.
@@ -68,6 +73,7 @@ class DeformingInterface {
     std::vector<Point<2>> node_velocity;
     std::shared_ptr<const GrownGrid> mesh;  // of the fluid at t + Δt
     Point<2> force = Point<2>::Zero();
+    double work_on_fluid = 0, work_on_structure = 0;  // InterfaceState
     Pace pace;
     bool admissible = true;  // of the interface and of the substeps already taken
     std::string trouble;     // why the interface is not
@@ -117,6 +123,9 @@ class DeformingInterface {
   InterfaceSolution ask(std::span<const FluidTrace> fluid, const WallLaw& law, double from_now, InterfaceProblem& problem);
   void move_nodes(std::vector<Point<2>>& displacement, const InterfaceSolution& solution, double dt, double share) const;
   void answer(Step& step, std::span<const WallTrace<2>> fluid, const WallLaw& law, double time, double dt);
+  void account(Step& step, double dt) const;
+  double work_on_structure(std::span<const Point<2>> traction, std::span<const Point<2>> velocity, double dt) const;
+  std::pair<std::vector<Point<2>>, std::vector<Point<2>>> means(const Step& step, double dt) const;
   void take_substeps(Step& step, std::span<const WallTrace<2>> fluid, const WallLaw& law, double time, double dt, InterfaceProblem& problem);
 
   InterfaceSetup setup_;
@@ -144,6 +153,7 @@ class DeformingInterface {
   InterfaceHistory history_;
   std::vector<double> pressure_;
   Point<2> force_ = Point<2>::Zero();
+  double work_on_fluid_ = 0, work_on_structure_ = 0;
 };
 
 }  // namespace mortise
