@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mortise/cases/driver/local_cells.hpp"
+#include "mortise/cases/driver/mapped_bodies.hpp"
 #include "mortise/cases/driver/solid_snapshot.hpp"
 #include "mortise/fluid/cell.hpp"
 
@@ -36,8 +37,23 @@ void place_nodes(const EulerSolver<1>& fluid, int g, GridSnapshot& out) {
   out = line_grid(grid.name, nodes);
 }
 
+/// The gas in a cell that solids share.
+Primitive<2> gas_of_mixture(const TileBlock& U, const TileBlock& part, double pressure, double gamma, std::size_t cell) {
+  Conserved<2> all = get<2>(U, cell);
+  const double share = part.component(composition::share)[cell], of_gas = 1 - share;
+  all.energy -= part.component(composition::energy)[cell];
+  Primitive<2> W = to_primitive(all, gamma);
+  W.density = (W.density - part.component(composition::mass)[cell]) / of_gas;
+  W.pressure = (W.pressure - share * pressure) / of_gas;
+  return W;
+}
+
+/// What is left to the gas of a cell says little of it where this much or more of the cell is solid: such cells are holes.
+constexpr double most_solid_share = 0.1;
+
 template <int Dim>
-GridSnapshot fluid_snapshot(const EulerSolver<Dim>& fluid, int g) {
+GridSnapshot fluid_snapshot(const Simulation<Dim>& simulation, int g) {
+  const EulerSolver<Dim>& fluid = simulation.fluid();
   const ComponentGrid<Dim>& grid = fluid.grids()[static_cast<std::size_t>(g)];
   const Field<Dim>& field = fluid.fields()[static_cast<std::size_t>(g)];
   const Gas& gas = fluid.setup().gas;
@@ -45,7 +61,13 @@ GridSnapshot fluid_snapshot(const EulerSolver<Dim>& fluid, int g) {
   for_each_local_cell<Dim>(grid, [&](int t, const Index<Dim>&, std::size_t index, std::size_t cell) {
     const CellState state = state_of(grid.masks[static_cast<std::size_t>(t)], cell);
     if (state == CellState::hole) return;
-    const Primitive<Dim> W = to_primitive(get<Dim>(field.tile(t), cell), gas.gamma);
+    Primitive<Dim> W = to_primitive(get<Dim>(field.tile(t), cell), gas.gamma);
+    if constexpr (Dim == 2)
+      if (const ReferenceMapScene* map = simulation.reference_map(); map && map->composition().tile(t).allocated()) {
+        const double share = map->composition().tile(t).component(composition::share)[cell];
+        if (share > most_solid_share) return;
+        if (share > 0) W = gas_of_mixture(field.tile(t), map->composition().tile(t), map->setup().pressure, gas.gamma, cell);
+      }
     CellRecord<Dim + 2> record{static_cast<std::int64_t>(index), {}, state};
     record.values[0] = W.density;
     for (std::size_t d = 0; d < Dim; ++d) record.values[1 + d] = W.velocity[d];
@@ -135,9 +157,12 @@ Snapshot gather_snapshot(const Simulation<Dim>& simulation) {
   snapshot.time = simulation.time();
   snapshot.step = static_cast<int>(simulation.steps());
   for (std::size_t g = 0; g < simulation.fluid().grids().size(); ++g)
-    snapshot.grids.push_back(fluid_snapshot(simulation.fluid(), static_cast<int>(g)));
+    snapshot.grids.push_back(fluid_snapshot(simulation, static_cast<int>(g)));
   const std::vector<InterfaceState> interfaces = simulation.interfaces();
   for (const auto& solid : simulation.solids()) add_solid(*solid, interfaces, snapshot);
+  if constexpr (Dim == 2)
+    if (const ReferenceMapScene* map = simulation.reference_map())
+      for (std::size_t b = 0; b < map->maps().size(); ++b) add_mapped_body(simulation, b, snapshot);
   add_outlines(simulation, snapshot);
   return snapshot;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mortise/cases/driver/interface_measures.hpp"
+#include "mortise/cases/driver/mapped_bodies.hpp"
 #include "mortise/solid/elastic_measures.hpp"
 
 namespace mortise {
@@ -35,14 +36,24 @@ int solid_at(const Simulation<Dim>& simulation, const Point<Dim>& X) {
   const std::vector<Point<2>> point{in_plane<Dim>(X)};
   for (std::size_t k = 0; k < simulation.solids().size(); ++k)
     if (!std::isnan(simulation.solids()[k]->sample(point)[0][0])) return static_cast<int>(k);
+  if constexpr (Dim == 2)
+    if (const ReferenceMapScene* map = simulation.reference_map())
+      for (std::size_t b = 0; b < map->maps().size(); ++b)
+        if (map->maps()[b]->level_set()(X.x(), X.y()) < 0) return static_cast<int>(b);
   return -1;
+}
+
+/// Elastic solids, or bodies of a reference map.
+template <int Dim>
+std::size_t solid_count(const Simulation<Dim>& simulation) {
+  return simulation.reference_map() ? simulation.reference_map()->maps().size() : simulation.solids().size();
 }
 
 }  // namespace
 
 template <int Dim>
 Histories<Dim>::Histories(const CaseDescription& description, const Simulation<Dim>& simulation)
-    : solid_probes_(simulation.solids().size()),
+    : solid_probes_(solid_count(simulation)),
       has_bodies_(!simulation.bodies().empty()),
       has_interfaces_(!simulation.interfaces().empty()) {
   for (const ProbeDescription& probe : description.probes) {
@@ -98,8 +109,16 @@ void Histories<Dim>::add_solid_probes(const Simulation<Dim>& simulation, std::si
   if (probes.points.empty()) return;
   std::vector<Point<2>> points;
   for (const Point<Dim>& X : probes.points) points.push_back(in_plane<Dim>(X));
-  const Material& material = simulation.solids()[solid]->setup().options.material;
-  const std::vector<ElasticState> states = simulation.solids()[solid]->sample(points);
+  Material material;
+  std::vector<ElasticState> states;
+  if (const ReferenceMapScene* map = simulation.reference_map()) {
+    material = map->setup().bodies[solid].material;
+    if constexpr (Dim == 2)
+      for (const Point<2>& X : points) states.push_back(mapped_point(simulation, solid, X).value_or(MappedPoint{}).state);
+  } else {
+    material = simulation.solids()[solid]->setup().options.material;
+    states = simulation.solids()[solid]->sample(points);
+  }
   for (std::size_t p = 0; p < states.size(); ++p) {
     const Point<2> u = displacement_of(material, states[p]), v = velocity_of(states[p]), x = points[p] + u;
     const CauchyStress s = cauchy_stress_of(material, states[p]);

@@ -10,6 +10,7 @@
 #include "mortise/cases/driver/agreement.hpp"
 #include "mortise/cases/driver/errors.hpp"
 #include "mortise/cases/driver/interface_measures.hpp"
+#include "mortise/cases/driver/mapped_bodies.hpp"
 
 namespace mortise {
 namespace {
@@ -22,10 +23,9 @@ std::string key_of(StressLaw law) {
   return "";
 }
 
-SolidSummary summary_of(const ElasticSolver& solid) {
-  const SolidTotals part = totals(solid);
-  return {.name = solid.setup().name,
-          .law = key_of(solid.law()),
+SolidSummary summary_of(const std::string& name, StressLaw law, const SolidTotals& part, double least_j) {
+  return {.name = name,
+          .law = key_of(law),
           .mass = part.mass,
           .position = numbers(part.center),
           .velocity = numbers(part.momentum / part.mass),
@@ -33,7 +33,7 @@ SolidSummary summary_of(const ElasticSolver& solid) {
           .angular_momentum = part.angular_momentum,
           .kinetic_energy = part.kinetic_energy,
           .strain_energy = part.strain_energy,
-          .least_j = solid.least_j(),
+          .least_j = least_j,
           .max_von_mises = part.max_von_mises};
 }
 
@@ -188,7 +188,14 @@ void RunReport<Dim>::add_bodies(RunSummary& summary) const {
 
 template <int Dim>
 void RunReport<Dim>::add_solids(RunSummary& summary) const {
-  for (const auto& solid : simulation_.solids()) summary.solids.push_back(summary_of(*solid));
+  for (const auto& solid : simulation_.solids())
+    summary.solids.push_back(summary_of(solid->setup().name, solid->law(), totals(*solid), solid->least_j()));
+  if constexpr (Dim == 2)
+    if (const ReferenceMapScene* map = simulation_.reference_map())
+      for (std::size_t b = 0; b < map->maps().size(); ++b) {
+        const MappedBody& body = map->setup().bodies[b];
+        summary.solids.push_back(summary_of(body.name, body.material.law, mapped_totals(simulation_, b), mapped_least_j(simulation_, b)));
+      }
   for (const InterfaceState& interface : simulation_.interfaces())
     summary.interfaces.push_back(summary_of(interface, simulation_.fluid().setup().gas.p_inf));
 }

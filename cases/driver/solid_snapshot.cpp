@@ -58,18 +58,13 @@ Point<2> cell_center(const GridSnapshot& grid, const std::vector<Point<2>>& node
   return 0.25 * (nodes[low] + nodes[low + 1] + nodes[high] + nodes[high + 1]);
 }
 
-/// The cell fields in the order they are written.
-constexpr std::array<const char*, 9> field_names = {"displacement_x", "displacement_y", "velocity_x",
-                                                    "velocity_y",     "stress_xx",      "stress_xy",
-                                                    "stress_yy",      "von_mises",      "jacobian"};
+}  // namespace
 
-std::array<double, field_names.size()> field_values(const Material& material, const ElasticState& state) {
+std::array<double, solid_field_names.size()> solid_field_values(const Material& material, const Point<2>& X, const ElasticState& state) {
   const Point<2> u = displacement_of(material, state), v = velocity_of(state);
   const CauchyStress s = cauchy_stress_of(material, state);
-  return {u.x(), u.y(), v.x(), v.y(), s.xx, s.xy, s.yy, s.von_mises(), jacobian_of(material, state)};
+  return {u.x(), u.y(), v.x(), v.y(), s.xx, s.xy, s.yy, s.von_mises(), jacobian_of(material, state), X.x(), X.y()};
 }
-
-}  // namespace
 
 std::vector<Point<2>> node_displacements(const SolidGrid& grid, const Material& material) {
   const Cells cells(grid, material);
@@ -91,16 +86,12 @@ GridSnapshot solid_snapshot(const SolidGrid& grid, const Material& material) {
     out.x.push_back(grid.nodes[k].x() + displacements[k].x());
     out.y.push_back(grid.nodes[k].y() + displacements[k].y());
   }
-  for (const char* name : field_names) out.fields.emplace_back(name, std::vector<double>(out.cell_count(), 0.0));
-  out.fields.emplace_back("reference_x", std::vector<double>(out.cell_count(), 0.0));
-  out.fields.emplace_back("reference_y", std::vector<double>(out.cell_count(), 0.0));
+  for (const char* name : solid_field_names) out.fields.emplace_back(name, std::vector<double>(out.cell_count(), 0.0));
   for (std::size_t c = 0; c < out.cell_count(); ++c) {
     const Point<2> X = cell_center(out, grid.nodes, c);
-    out.fields[field_names.size()].second[c] = X.x();
-    out.fields[field_names.size() + 1].second[c] = X.y();
-    if (grid.mask[c] == mask_hole) continue;
-    const auto values = field_values(material, grid.states[c]);
-    for (std::size_t f = 0; f < values.size(); ++f) out.fields[f].second[c] = values[f];
+    const auto values = solid_field_values(material, X, grid.states[c]);
+    const std::size_t first = grid.mask[c] == mask_hole ? values.size() - 2 : 0;  // holes have a place only
+    for (std::size_t f = first; f < values.size(); ++f) out.fields[f].second[c] = values[f];
   }
   return out;
 }

@@ -4,6 +4,7 @@
 // along the grid, central where both neighbours hold data, one-sided otherwise): order 2 up to the edges of the grid.
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,6 +13,14 @@
 #include "mortise/solid/elastic_measures.hpp"
 
 namespace mortise {
+
+/// The cell fields of solids in the order they are written: Cauchy stress; reference: the place X of the cell in the
+/// undeformed solid.
+inline constexpr std::array<const char*, 11> solid_field_names = {
+    "displacement_x", "displacement_y", "velocity_x", "velocity_y",  "stress_xx",  "stress_xy",
+    "stress_yy",      "von_mises",      "jacobian",   "reference_x", "reference_y"};
+std::array<double, solid_field_names.size()> solid_field_values(const Material& material, const Point<2>& X,
+                                                                const ElasticState& state);
 
 /// A grid of a solid, gathered from all ranks. Nodes and cells are numbered as in GridSnapshot.
 struct SolidGrid {
@@ -26,8 +35,7 @@ struct SolidGrid {
 /// Displacements of the nodes; zero where no adjoining cell holds data.
 std::vector<Point<2>> node_displacements(const SolidGrid& grid, const Material& material);
 
-/// The grid in its present place with displacement_x, …, velocity_x, …, stress_xx, stress_xy, stress_yy (Cauchy
-/// stress), von_mises, jacobian and reference_x, reference_y (the place X of the cell in the undeformed solid).
+/// The grid in its present place with the solid_field_names.
 GridSnapshot solid_snapshot(const SolidGrid& grid, const Material& material);
 
 /// Puts the nodes of layer 0 where the interface is: one node per cell (a closed curve, or one that repeats itself) or

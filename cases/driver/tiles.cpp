@@ -1,9 +1,21 @@
 #include "mortise/cases/driver/tiles.hpp"
 
+#include <span>
+#include <type_traits>
+
 #include "mortise/grids/overlap/component_grid.hpp"
 
 namespace mortise {
 namespace {
+
+/// The map of a body in the manner of a solver, for its tiles; has no rates.
+struct MapTiles {
+  explicit MapTiles(BodyMap& map) : field(map.field()), none(1, std::vector<double>(static_cast<std::size_t>(map.field().tiles()), 0.0)) {}
+  std::span<Field<2>> fields() { return {&field, 1}; }
+  std::vector<std::vector<double>>& rates() { return none; }
+  Field<2>& field;
+  std::vector<std::vector<double>> none;
+};
 
 /// visit(number of the grid, the grid, components, solver, index of the grid in it) for all grids of a scene.
 template <class AnySimulation, class Visit>
@@ -11,6 +23,12 @@ void for_each_grid(AnySimulation& simulation, Visit&& visit) {
   std::size_t number = 0;
   auto& fluid = simulation.fluid();
   for (std::size_t g = 0; g < fluid.grids().size(); ++g) visit(number++, fluid.grids()[g], fluid.components, fluid, g);
+  if constexpr (requires { simulation.fluid().present_node(0, Index<2>{}); })
+    if (auto* map = simulation.reference_map())
+      for (const auto& body : map->maps()) {
+        MapTiles tiles(*body);
+        visit(number++, simulation.fluid().grids().front(), BodyMap::components, tiles, std::size_t{0});
+      }
   for (const auto& solid : simulation.solids())
     for (std::size_t g = 0; g < solid->grids().size(); ++g)
       visit(number++, solid->grids()[g], solid->components(), *solid, g);
@@ -70,6 +88,11 @@ void scatter_tiles(const TileRecords& records, Simulation<Dim>& simulation) {
       if (local >= 0 && local < grid.forest.local_count()) {
         solver.rates()[g][static_cast<std::size_t>(local)] = records.rates[k];
         TileBlock& block = solver.fields()[g].tile(static_cast<int>(local));
+        if constexpr (std::is_same_v<std::decay_t<decltype(solver)>, MapTiles>) {
+          // Bodies are where they were, not where they began.
+          if (allocated && !block.allocated()) solver.field.allocate(static_cast<int>(local));
+          if (!allocated) block.release();
+        }
         if (allocated && block.allocated()) fill(block, grid, components, next);
       }
       if (allocated) next += tile_size(grid, components);

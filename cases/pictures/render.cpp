@@ -46,6 +46,10 @@ void draw_bodies(Image& image, const Axes& axes, const Snapshot& snapshot, doubl
   }
 }
 
+void draw_surfaces(Image& image, const Axes& axes, const Snapshot& snapshot, double unit) {
+  for (const std::vector<Point<2>>& surface : snapshot.surfaces) image.draw_polyline(axes.pixels(surface), 1.8 * unit, ink::edge, true);
+}
+
 /// Where the solids end: the edges of active cells at the edge of their grid. Where a grid is closed or continued by
 /// another one there is no such edge.
 void draw_solid_edges(Image& image, const Axes& axes, const Snapshot& snapshot, double unit) {
@@ -90,7 +94,8 @@ Image render(const Snapshot& snapshot, const RenderOptions& options) {
     draw_field(image, axes, snapshot, options, unit);
   image.clip_to(axes.x0, axes.y0, axes.x1, axes.y1);
   draw_bodies(image, axes, snapshot, unit);
-  draw_solid_edges(image, axes, snapshot, unit);
+  if (snapshot.surfaces.empty()) draw_solid_edges(image, axes, snapshot, unit);
+  draw_surfaces(image, axes, snapshot, unit);
   image.clip_to_all();
   draw_axes(image, axes, unit);
   draw_title(image, axes, options.title.empty() ? options.field : options.title + "   " + options.field, snapshot.time,

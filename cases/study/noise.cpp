@@ -11,7 +11,7 @@ constexpr double pi = std::numbers::pi;
 constexpr int waves_of_noise = 32;
 
 /// In [−1, 1]; the standard fixes the numbers of the engine, but not those of its distributions.
-double random_number(std::mt19937& engine) { return 2 * (engine() / 4294967295.0) - 1; }
+double random_number(std::mt19937& engine) { return 2 * (static_cast<double>(engine()) / 4294967295.0) - 1; }
 
 }  // namespace
 

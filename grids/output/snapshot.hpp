@@ -50,6 +50,7 @@ struct Snapshot {
   int step = 0;
   std::vector<GridSnapshot> grids;
   std::vector<std::vector<Point<2>>> outlines;  // of rigid bodies now, closed polygons; 1D: the two ends (x, 0)
+  std::vector<std::vector<Point<2>>> surfaces;  // closed polygons around solids whose cells do not end on them
 };
 
 /// A 1D grid as a single row of cells: nodes at y = 0 and again at y = h, the mean cell width.

@@ -112,20 +112,35 @@ void write_grid(HDF5File& file, const std::string& at, const GridSnapshot& grid)
   file.write(at + "solid", std::vector<std::int64_t>{grid.solid ? 1 : 0}, {1});
 }
 
+void write_polygons(HDF5File& file, const std::string& name, const std::vector<std::vector<Point<2>>>& polygons) {
+  file.write_attribute("/", name, static_cast<std::int64_t>(polygons.size()));
+  for (std::size_t k = 0; k < polygons.size(); ++k) {
+    std::vector<double> points;
+    for (const Point<2>& point : polygons[k]) points.insert(points.end(), {point.x(), point.y()});
+    file.write(name + "/" + std::to_string(k), points, {polygons[k].size(), 2});
+  }
+}
+
+std::vector<std::vector<Point<2>>> read_polygons(const HDF5File& file, const std::string& name) {
+  std::vector<std::vector<Point<2>>> polygons;
+  for (std::int64_t k = 0; k < file.integer_attribute("/", name); ++k) {
+    const std::vector<double> points = file.read_doubles(name + "/" + std::to_string(k));
+    polygons.emplace_back();
+    for (std::size_t n = 0; n + 1 < points.size(); n += 2) polygons.back().emplace_back(points[n], points[n + 1]);
+  }
+  return polygons;
+}
+
 void write_fields(const std::string& path, const Snapshot& snapshot) {
   HDF5File file = HDF5File::create(path);
   file.write_attribute("/", "time", snapshot.time);
   file.write_attribute("/", "step", static_cast<std::int64_t>(snapshot.step));
-  file.write_attribute("/", "outlines", static_cast<std::int64_t>(snapshot.outlines.size()));
   std::vector<std::string> names;
   for (const GridSnapshot& grid : snapshot.grids) names.push_back(grid.name);
   file.write_texts("grid_names", names);
   for (std::size_t k = 0; k < snapshot.grids.size(); ++k) write_grid(file, folder(k), snapshot.grids[k]);
-  for (std::size_t k = 0; k < snapshot.outlines.size(); ++k) {
-    std::vector<double> points;
-    for (const Point<2>& point : snapshot.outlines[k]) points.insert(points.end(), {point.x(), point.y()});
-    file.write("outlines/" + std::to_string(k), points, {snapshot.outlines[k].size(), 2});
-  }
+  write_polygons(file, "outlines", snapshot.outlines);
+  write_polygons(file, "surfaces", snapshot.surfaces);
   file.close();
 }
 
@@ -164,12 +179,8 @@ Snapshot read_snapshot(const std::string& path) {
   const HDF5File file = HDF5File::open(path);
   Snapshot snapshot = read_frame(file);
   for (std::size_t k = 0; k < snapshot.grids.size(); ++k) read_grid(file, folder(k), snapshot.grids[k]);
-  for (std::int64_t k = 0; k < file.integer_attribute("/", "outlines"); ++k) {
-    const std::vector<double> points = file.read_doubles("outlines/" + std::to_string(k));
-    snapshot.outlines.emplace_back();
-    for (std::size_t n = 0; n + 1 < points.size(); n += 2)
-      snapshot.outlines.back().emplace_back(points[n], points[n + 1]);
-  }
+  snapshot.outlines = read_polygons(file, "outlines");
+  snapshot.surfaces = read_polygons(file, "surfaces");
   return snapshot;
 }
 
