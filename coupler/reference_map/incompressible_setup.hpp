@@ -1,0 +1,31 @@
+// What an incompressible flow is made of. Everything is non-dimensional.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "mortise/coupler/reference_map/sides.hpp"
+#include "mortise/coupler/reference_map/slopes.hpp"
+
+namespace mortise {
+
+struct IncompressibleSetup {
+  Box<2> domain{Point<2>(0, 0), Point<2>(1, 1)};
+  Index<2> cells{64, 64};
+  Index<2> tile{64, 64};  // cells of a tile; even, divides `cells`
+  FlowSides sides{};
+  double density = 1;                   // of the fluid, > 0
+  double viscosity = 0;                 // dynamic, of the fluid, ≥ 0
+  Point<2> gravity = Point<2>::Zero();  // acceleration
+  double cfl = 0.5;                     // fraction of the advective limit and of that of the solids, in (0, 1]
+  double viscous_fraction = 0.9;        // fraction of the viscous limit, in (0, 1]
+  FlowSlopes slopes = FlowSlopes::limited;
+  std::string pressure_solver = "transform";  // key, see pressure_solver_keys()
+  double tolerance = 1e-10;                   // of iterative pressure solvers, see PressureProblem
+  std::function<Point<2>(const Point<2>& place)> velocity{};  // at t = 0; empty: at rest
+};
+
+/// Throws InputError in one sentence when a value is out of its range, sides do not match, or what flows in cannot leave.
+void check(const IncompressibleSetup& setup);
+
+}  // namespace mortise
