@@ -21,6 +21,14 @@ bool has_interfaces(const CaseDescription& scene) {
          std::any_of(scene.solids.begin(), scene.solids.end(), [](const SolidDescription& s) { return s.wet(); });
 }
 
+/// What scene/mapped_solids.cpp takes.
+bool can_be_mapped(const CaseDescription& scene) {
+  return scene.bodies.empty() && scene.riemann == "hllc" &&
+         std::all_of(scene.solids.begin(), scene.solids.end(), [](const SolidDescription& s) {
+           return s.immersed() && s.wet() && s.gas != "inside" && s.material.law != "linear";
+         });
+}
+
 }  // namespace
 
 std::vector<std::string> split_list(const std::string& text, const std::string& option) {
@@ -66,7 +74,9 @@ std::vector<SchemeVariant> scheme_variants(const std::string& names, const CaseD
 std::string default_schemes(const CaseDescription& scene, bool all) {
   if (has_interfaces(scene))
     return std::string("projection,projection+substeps,traditional,traditional-subiterated") +
-           (all ? ",traditional+lagged,anti-traditional,anti-traditional+lagged" : "");
+           (all                    ? ",traditional+lagged,anti-traditional,anti-traditional+lagged"
+            : can_be_mapped(scene) ? ",reference-map"
+                                   : "");
   if (!scene.bodies.empty()) return "rigid,traditional";
   throw InputError("the case \"" + scene.name + "\" couples nothing: it has neither bodies nor solids beside gas");
 }

@@ -21,7 +21,7 @@ SchemeVariant scheme_variant(const std::string& name, const CaseDescription& sce
 std::vector<SchemeVariant> scheme_variants(const std::string& names, const CaseDescription& scene);
 
 /// All that can run the scene: of interfaces projection, projection+substeps, traditional, traditional-subiterated and,
-/// if `all`, anti-traditional and the lagged ones; of rigid bodies rigid and traditional.
+/// if `all`, anti-traditional and the lagged ones, otherwise the reference map where it can; of rigid bodies rigid and traditional.
 std::string default_schemes(const CaseDescription& scene, bool all = false);
 
 /// The parts of a list "a,b,c". Throws InputError for an empty part, naming `option`.

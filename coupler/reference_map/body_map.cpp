@@ -83,7 +83,7 @@ void BodyMap::classify(TileBlock& block) const {
   });
 }
 
-void BodyMap::initialize() {
+bool BodyMap::initialize() {
   const Box<2> around = setup_.level_set->box();
   for (int t = 0; t < now_.tiles(); ++t) {
     TileBlock block(grid_.shape.plane, components);
@@ -104,6 +104,7 @@ void BodyMap::initialize() {
   }
   fit_tiles(now_);
   extend(now_);
+  return admissible(now_);
 }
 
 /// Tiles within `reach` of a cell inside hold the map, others do not.

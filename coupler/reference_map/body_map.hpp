@@ -43,8 +43,8 @@ class BodyMap {
   /// `grid` is not owned. Throws InputError when tiles are narrower than 2 · layers cells.
   BodyMap(Setup setup, const ComponentGrid<2>& grid);
 
-  /// Collective.
-  void initialize();
+  /// False as in drift_to_half(). Collective.
+  bool initialize();
   /// The map at t + `time`, from that at t and a velocity that is constant in time; second order in space. False when
   /// det ∂ξ/∂x ≤ 0 somewhere in the body. Collective.
   bool drift_to_half(double time, const Velocity& velocity) { return drift(now_, half_, time, velocity); }

@@ -96,7 +96,8 @@ void ReferenceMapScene::compose_all() {
 }
 
 void ReferenceMapScene::initialize(const StateFunction<2>& gas) {
-  for (const auto& map : maps_) map->initialize();
+  for (const auto& map : maps_)
+    if (!map->initialize()) throw InputError("solid " + map->name() + ": its displacement at t = 0 turns it inside out");
   compose_all();
   const double gamma = fluid_.setup().gas.gamma;
   for (int t = 0; t < composition_.tiles(); ++t) {
@@ -151,11 +152,16 @@ void ReferenceMapScene::finish(double dt, double time) {
   const auto scope = timers_("reference map");
   for (const auto& map : maps_)
     if (!map->drift_to_end(0.5 * dt, velocities())) throw NumericalError("solid " + map->name() + " turns inside out");
-  resume(time);
+  settle(time);
 }
 
 void ReferenceMapScene::resume(double time) {
-  (void)time;
+  for (const auto& map : maps_) map->resume();
+  settle(time);
+}
+
+/// What solids take of the cells, rates, and pressure for gas squeezed beside them.
+void ReferenceMapScene::settle(double time) {
   compose_all();
   double restored = 0;
   for (int t = 0; t < composition_.tiles(); ++t)

@@ -64,6 +64,7 @@ class ReferenceMapScene : public TileStepper<2> {
   BodyMap::Velocity velocities();
   std::vector<TileBody> bodies_on(int tile, bool half) const;
   void compose_all();
+  void settle(double time);
   CartesianTile<2> view(int tile);
   MixtureTile mixture(const CartesianTile<2>& cells, int tile, std::span<const TileBody> bodies) const;
 

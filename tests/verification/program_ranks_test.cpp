@@ -42,6 +42,11 @@ TEST(ProgramRanks, SoftSticks) {
   expect_same(folder, soft_sticks(), {1, 2, 4});
 }
 
+TEST(ProgramRanks, SoftSticksAsAReferenceMap) {
+  const ScratchFolder folder;
+  expect_same(folder, soft_sticks() + Arguments{"--set", "scheme=reference-map"}, {1, 2, 4});
+}
+
 TEST(ProgramRanks, HoleInAPlate) {
   const ScratchFolder folder;
   expect_same(folder, hole_in_plate(), {1, 2, 4});

@@ -43,6 +43,9 @@ TEST_F(Restart, Sticks) { expect_same(sticks(folder), {"0.35", "0.4"}); }
 TEST_F(Restart, Piston) { expect_same(piston(), {"0.55", "0.5"}); }
 
 TEST_F(Restart, SoftSticks) { expect_same(soft_sticks(), {"0.025", "0.03"}); }
+TEST_F(Restart, SoftSticksAsAReferenceMap) {
+  expect_same(soft_sticks() + Arguments{"--set", "scheme=reference-map"}, {"0.025", "0.03"});
+}
 TEST_F(Restart, HoleInAPlate) { expect_same(hole_in_plate(), {"0.25", "0.3"}); }
 
 /// An elastic piston that takes several steps within one of the gas, or one within several.

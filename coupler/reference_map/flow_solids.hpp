@@ -1,0 +1,86 @@
+// Neo-Hookean solids in an incompressible flow, by their reference maps (body_map.hpp): one velocity for both,
+//   σ = s (τ + τ_contact) + (1 − Σ s) μ_f (∇v + ∇vᵀ),   τ = G (F Fᵀ − ⅓ (tr F Fᵀ + 1) I),   ρ = (1 − Σ s) ρ_f + Σ s ρ_s,
+// plane strain (Rycroft, Wu, Yu & Kamrin, Journal of Fluid Mechanics 898, A9, 2020). Maps and velocities are staggered in time, as in
+// reference_map_scene.hpp, so that elastic waves need no viscosity to be stable: the solids have none.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "mortise/coupler/reference_map/body_map.hpp"
+#include "mortise/coupler/reference_map/solids.hpp"
+
+namespace mortise {
+
+/// Material within `radius` of `center` (reference position) is held, by springs and dampers as stiff as the step allows, where the
+/// motion takes it: x = center + shift(t) + R(angle(t)) (ξ − center).
+struct Anchor {
+  Point<2> center = Point<2>::Zero();
+  double radius = 0;
+  std::function<Point<2>(double t)> shift;  // empty: none
+  std::function<double(double t)> angle;    // radians; empty: 0
+};
+
+/// A solid. Non-dimensional.
+struct FlowBody {
+  std::string name;
+  double density = 1, shear_modulus = 1;                 // ρ_s > 0, G > 0
+  std::shared_ptr<const LevelSet> level_set;             // of its outline in the reference frame
+  std::function<Point<2>(const Point<2>& x)> reference;  // ξ at t = 0; empty: undeformed
+  // Principal stretch the material tends to along the x axis of the reference frame, 1/stretch along y: F ← F F_a⁻¹,
+  // F_a = diag(a, 1/a). Empty: passive.
+  std::function<double(const Point<2>& X, double t)> actuation;
+  std::vector<Anchor> anchors;
+};
+
+struct FlowSolidsSetup {
+  std::vector<FlowBody> bodies;
+  double blur = 2;              // half width of the blur zone in cells
+  double fluid_density = 1, fluid_viscosity = 0;
+  std::array<bool, 4> walls{};  // west, east, south, north: sides that push bodies back within 3 blur widths
+};
+
+class FlowSolids : public Solids {
+ public:
+  /// `grid`: of the flow, not owned. Throws InputError for numbers out of range.
+  FlowSolids(FlowSolidsSetup setup, const ComponentGrid<2>& grid);
+
+  void begin(SolidFields& fields) override;
+  void half_step(const EdgeVelocities& edges, double time, double dt, SolidFields& fields) override;
+  void full_step(const Field<2>& velocity, double time, SolidFields& fields) override;
+  double rate() const override;
+
+  const FlowSolidsSetup& setup() const { return setup_; }
+  const std::vector<std::unique_ptr<BodyMap>>& maps() const { return maps_; }
+  /// Σ over bodies at the cells of this rank. Collective.
+  struct Totals {
+    double mass = 0, volume = 0;
+    Point<2> center = Point<2>::Zero(), momentum = Point<2>::Zero();
+    double angular_momentum = 0;  // about the centre
+  };
+  Totals totals(std::size_t body, const Field<2>& velocity) const;
+  /// Where the material point X is; empty if it is not in the body. Second order. Collective.
+  std::vector<Point<2>> place(std::size_t body, const Point<2>& X) const;
+  std::int64_t orphans() const;
+  std::size_t memory_bytes() const;
+  /// The flow whose velocity moves the solids, until the first full step.
+  void follow(const Field<2>& velocity) { velocity_ = &velocity; }
+  /// After the maps' fields were replaced from outside (restart): Collective.
+  void resume(const Field<2>& velocity, double time, SolidFields& fields);
+
+ private:
+  void drift(bool to_half, double time);
+  void write(bool half, double time, SolidFields& fields);
+  void write_tile(int tile, bool half, double time, SolidFields& fields);
+  void add_edges(int tile, int direction, std::size_t body, bool half, double time, SolidFields& fields);
+
+  FlowSolidsSetup setup_;
+  const ComponentGrid<2>& grid_;
+  std::vector<std::unique_ptr<BodyMap>> maps_;
+  const Field<2>* velocity_ = nullptr;  // of the flow, at the last full step
+  double last_step_ = 0, fastest_ = 0;
+  std::vector<std::uint8_t> written_;  // per tile: holds something of solids
+};
+
+}  // namespace mortise

@@ -1,0 +1,132 @@
+#include "mortise/coupler/reference_map/body_map.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace mortise {
+namespace {
+
+constexpr double pi = 3.141592653589793;
+
+/// [−1, 1]² in tiles, a disk of radius 0.5 around (0.1, 0), and what a flow makes of it.
+class Scene {
+ public:
+  explicit Scene(int cells, const std::function<Point<2>(const Point<2>&)>& velocity, std::function<Point<2>(const Point<2>&)> initial = {})
+      : grid("background", Communicator(), {cells, cells}, {false, false}, TileShape<2>({cells / 4, cells / 4})) {
+    grid.origin = {-1, -1};
+    grid.spacing = {2.0 / cells, 2.0 / cells};
+    const auto level_set = std::make_shared<LevelSet>(Outline::circle(0.5).placed({{0.1, 0}, 0}), 0.5 * grid.spacing.x(), 14 * grid.spacing.x());
+    if (!initial) initial = [](const Point<2>& x) { return x; };
+    map = std::make_unique<BodyMap>(BodyMap::Setup{"disk", {1, 1, 1, 1, 1.4, true}, level_set, initial}, grid);
+    EXPECT_TRUE(map->initialize());
+    for (int t = 0; t < grid.forest.local_count(); ++t) {
+      u.emplace_back(grid.shape.plane, 0.0);
+      v.emplace_back(grid.shape.plane, 0.0);
+      for_each_cell<2>(grid.shape, 2, [&](const Index<2>& c) {
+        const Point<2> w = velocity(center(t, c));
+        u.back()[grid.shape.at(c)] = w.x();
+        v.back()[grid.shape.at(c)] = w.y();
+      });
+    }
+  }
+
+  Point<2> center(int t, const Index<2>& c) const {
+    const Index<2> first = grid.first_cell(t);
+    return grid.center({first[0] + c[0], first[1] + c[1]});
+  }
+  void step(double dt) {
+    const auto velocity = [&](int t) {
+      const std::size_t first = grid.shape.at(0, 0);
+      return TileVelocity{u[static_cast<std::size_t>(t)].data() + first, v[static_cast<std::size_t>(t)].data() + first};
+    };
+    ASSERT_TRUE(map->drift_to_half(0.5 * dt, velocity));
+    ASSERT_TRUE(map->drift_to_end(0.5 * dt, velocity));
+  }
+  /// Largest deviation of ξ from what it should be, inside and up to `layer` of the band.
+  double error(const std::function<Point<2>(const Point<2>&)>& exact, double layer) const {
+    double worst = 0;
+    int cells = 0;
+    for (int t = 0; t < grid.forest.local_count(); ++t) {
+      const TileBlock& block = map->field().tile(t);
+      if (!block.allocated()) continue;
+      for_each_cell<2>(grid.shape, 0, [&](const Index<2>& c) {
+        const std::size_t k = grid.shape.at(c);
+        if (block.component(3)[k] > layer) return;
+        ++cells;
+        worst = std::max(worst, (Point<2>(block.component(0)[k], block.component(1)[k]) - exact(center(t, c))).norm());
+      });
+    }
+    EXPECT_GT(cells, 100);
+    return worst;
+  }
+  int inside() const {
+    int count = 0;
+    for (int t = 0; t < grid.forest.local_count(); ++t)
+      if (map->field().tile(t).allocated())
+        for_each_cell<2>(grid.shape, 0, [&](const Index<2>& c) { count += map->field().tile(t).component(3)[grid.shape.at(c)] == 0; });
+    return count;
+  }
+
+  ComponentGrid<2> grid;
+  std::unique_ptr<BodyMap> map;
+  std::vector<std::vector<double>> u, v;
+};
+
+TEST(BodyMap, LinearMapsAreContinuedExactly) {
+  Gradient G;
+  G << 0.8, 0.1, -0.2, 1.1;
+  const auto map = [G](const Point<2>& x) -> Point<2> { return G * (x - Point<2>(0.1, 0)) + Point<2>(0.1, 0); };
+  const Scene scene(64, [](const Point<2>&) { return Point<2>::Zero(); }, map);
+  EXPECT_LT(scene.error(map, BodyMap::layers), 1e-12);
+  EXPECT_EQ(scene.map->orphans(), 0);
+}
+
+TEST(BodyMap, TranslationIsExactAndMovesToOtherTiles) {
+  const Point<2> w(-0.4, 0.3);
+  Scene scene(64, [w](const Point<2>&) { return w; });
+  const int before = scene.inside();
+  for (int k = 0; k < 50; ++k) scene.step(0.02);
+  EXPECT_LT(scene.error([w](const Point<2>& x) -> Point<2> { return x - w; }, BodyMap::layers), 1e-11);
+  EXPECT_NEAR(scene.inside(), before, 12);
+  EXPECT_EQ(scene.map->orphans(), 0);
+}
+
+TEST(BodyMap, RigidRotationIsOfSecondOrder) {
+  double errors[2];
+  for (int level = 0; level < 2; ++level) {
+    Scene scene(64 << level, [](const Point<2>& x) { return Point<2>(-x.y(), x.x()); });
+    const int steps = 50 << level;
+    for (int k = 0; k < steps; ++k) scene.step(1.0 / steps);
+    const Eigen::Rotation2Dd back(-1.0);
+    errors[level] = scene.error([&](const Point<2>& x) -> Point<2> { return back * x; }, 0);
+  }
+  EXPECT_LT(errors[0], 1e-3);
+  EXPECT_GT(std::log2(errors[0] / errors[1]), 1.9);
+}
+
+TEST(BodyMap, MemoryIsThatOfTheTilesNearTheBody) {
+  const Scene coarse(64, [](const Point<2>&) { return Point<2>::Zero(); });
+  EXPECT_EQ(coarse.map->field().tile(0).allocated(), false);  // the corner (−1, −1) is 0.7 away
+  EXPECT_LT(coarse.map->memory_bytes(), 16 * coarse.grid.shape.plane * 4 * sizeof(double));
+}
+
+TEST(LevelSet, IsTheDistance) {
+  const LevelSet circle(Outline::circle(0.5), 0.01, 0.1);
+  for (double r = 0; r < 0.58; r += 0.037)
+    for (double a = 0; a < 2 * pi; a += 0.7) EXPECT_NEAR(circle(r * std::cos(a), r * std::sin(a)), r - 0.5, r < 0.02 ? 0.01 : 1e-3 / std::max(r, 0.05) * 0.1);
+  EXPECT_GT(circle(3, 0), 2.3);
+}
+
+TEST(LevelSet, ShareOfTheSolidFallsFromOneToNothing) {
+  EXPECT_EQ(solid_share(-1, 1), 1);
+  EXPECT_EQ(solid_share(1, 1), 0);
+  EXPECT_NEAR(solid_share(0, 1), 0.5, 1e-15);
+  for (double s = -0.95; s < 1; s += 0.1) {
+    EXPECT_NEAR(solid_share(s, 1) + solid_share(-s, 1), 1, 1e-14);
+    EXPECT_LT(solid_share(s + 0.01, 1), solid_share(s, 1));
+  }
+}
+
+}  // namespace
+}  // namespace mortise
