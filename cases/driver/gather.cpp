@@ -160,9 +160,7 @@ Snapshot gather_snapshot(const Simulation<Dim>& simulation) {
     snapshot.grids.push_back(fluid_snapshot(simulation, static_cast<int>(g)));
   const std::vector<InterfaceState> interfaces = simulation.interfaces();
   for (const auto& solid : simulation.solids()) add_solid(*solid, interfaces, snapshot);
-  if constexpr (Dim == 2)
-    if (const ReferenceMapScene* map = simulation.reference_map())
-      for (std::size_t b = 0; b < map->maps().size(); ++b) add_mapped_body(simulation, b, snapshot);
+  for (const MappedSolid& solid : mapped_solids(simulation)) add_mapped_solid(solid, snapshot);
   add_outlines(simulation, snapshot);
   return snapshot;
 }

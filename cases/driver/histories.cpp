@@ -36,17 +36,16 @@ int solid_at(const Simulation<Dim>& simulation, const Point<Dim>& X) {
   const std::vector<Point<2>> point{in_plane<Dim>(X)};
   for (std::size_t k = 0; k < simulation.solids().size(); ++k)
     if (!std::isnan(simulation.solids()[k]->sample(point)[0][0])) return static_cast<int>(k);
-  if constexpr (Dim == 2)
-    if (const ReferenceMapScene* map = simulation.reference_map())
-      for (std::size_t b = 0; b < map->maps().size(); ++b)
-        if (map->maps()[b]->level_set()(X.x(), X.y()) < 0) return static_cast<int>(b);
+  const std::vector<MappedSolid> mapped = mapped_solids(simulation);
+  for (std::size_t b = 0; b < mapped.size(); ++b)
+    if (mapped[b].map->level_set()(point[0].x(), point[0].y()) < 0) return static_cast<int>(b);
   return -1;
 }
 
 /// Elastic solids, or bodies of a reference map.
 template <int Dim>
 std::size_t solid_count(const Simulation<Dim>& simulation) {
-  return simulation.reference_map() ? simulation.reference_map()->maps().size() : simulation.solids().size();
+  return simulation.solids().size() + mapped_solids(simulation).size();  // either these or those
 }
 
 }  // namespace
@@ -111,10 +110,9 @@ void Histories<Dim>::add_solid_probes(const Simulation<Dim>& simulation, std::si
   for (const Point<Dim>& X : probes.points) points.push_back(in_plane<Dim>(X));
   Material material;
   std::vector<ElasticState> states;
-  if (const ReferenceMapScene* map = simulation.reference_map()) {
-    material = map->setup().bodies[solid].material;
-    if constexpr (Dim == 2)
-      for (const Point<2>& X : points) states.push_back(mapped_point(simulation, solid, X).value_or(MappedPoint{}).state);
+  if (const std::vector<MappedSolid> mapped = mapped_solids(simulation); !mapped.empty()) {
+    material = mapped[solid].material;
+    for (const Point<2>& X : points) states.push_back(material_point(mapped[solid], X).value_or(MappedPoint{}).state);
   } else {
     material = simulation.solids()[solid]->setup().options.material;
     states = simulation.solids()[solid]->sample(points);

@@ -12,24 +12,22 @@
 namespace mortise {
 namespace {
 
-/// A cell that holds the map of a body.
+/// A cell that holds the map.
 struct MappedCell {
   Point<2> xi, velocity;
   Gradient map_gradient;  // ∂ξ/∂x
   double phi, layer;
 };
 
-MappedCell cell_of(const Simulation<2>& simulation, std::size_t body, int t, std::size_t k) {
-  const ComponentGrid<2>& grid = simulation.fluid().grids().front();
-  const TileBlock& map = simulation.reference_map()->maps()[body]->field().tile(t);
-  const TileBlock& U = simulation.fluid().fields().front().tile(t);
+MappedCell cell_of(const MappedSolid& solid, int t, std::size_t k) {
+  const TileBlock& map = solid.map->field().tile(t);
   const double *x = map.component(0) + k, *y = map.component(1) + k;
-  const auto s = static_cast<std::ptrdiff_t>(grid.shape.stride);
-  const double h = 0.5 / grid.spacing.x(), v = 0.5 / grid.spacing.y();
+  const auto s = static_cast<std::ptrdiff_t>(solid.grid->shape.stride);
+  const double h = 0.5 / solid.grid->spacing.x(), v = 0.5 / solid.grid->spacing.y();
   MappedCell cell;
   cell.xi = {*x, *y};
   cell.map_gradient << h * (x[1] - x[-1]), v * (x[s] - x[-s]), h * (y[1] - y[-1]), v * (y[s] - y[-s]);
-  cell.velocity = Point<2>(U.component(1)[k], U.component(2)[k]) / U.component(0)[k];
+  cell.velocity = solid.velocity(t, k);
   cell.phi = map.component(2)[k];
   cell.layer = map.component(3)[k];
   return cell;
@@ -40,13 +38,17 @@ ElasticState state_of(const MappedCell& cell, const Point<2>& x) {
   return {cell.velocity.x(), cell.velocity.y(), F(0, 0), F(0, 1), F(1, 0), F(1, 1), x.x() - cell.xi.x(), x.y() - cell.xi.y()};
 }
 
+Point<2> center_of(const MappedSolid& solid, int t, const Index<2>& c) {
+  const Index<2> first = solid.grid->first_cell(t);
+  return solid.grid->center({first[0] + c[0], first[1] + c[1]});
+}
+
 /// visit(tile, local index, offset, cell) for the cells on this rank that hold the map, but those of its outermost layer.
 template <class Visit>
-void for_each_mapped_cell(const Simulation<2>& simulation, std::size_t body, Visit&& visit) {
-  const BodyMap& map = *simulation.reference_map()->maps()[body];
-  for_each_local_cell<2>(simulation.fluid().grids().front(), [&](int t, const Index<2>& c, std::size_t, std::size_t k) {
-    if (map.field().tile(t).allocated() && map.field().tile(t).component(3)[k] < BodyMap::layers)
-      visit(t, c, k, cell_of(simulation, body, t, k));
+void for_each_mapped_cell(const MappedSolid& solid, Visit&& visit) {
+  for_each_local_cell<2>(*solid.grid, [&](int t, const Index<2>& c, std::size_t, std::size_t k) {
+    const TileBlock& map = solid.map->field().tile(t);
+    if (map.allocated() && map.component(3)[k] < BodyMap::layers) visit(t, c, k, cell_of(solid, t, k));
   });
 }
 
@@ -113,19 +115,43 @@ class Contours {
 
 }  // namespace
 
-void add_mapped_body(const Simulation<2>& simulation, std::size_t body, Snapshot& snapshot) {
+std::vector<MappedSolid> mapped_solids(const Simulation<2>& simulation) {
+  std::vector<MappedSolid> all;
+  const ReferenceMapScene* scene = simulation.reference_map();
+  if (!scene) return all;
+  for (std::size_t b = 0; b < scene->maps().size(); ++b)
+    all.push_back({scene->setup().bodies[b].name, &simulation.fluid().grids().front(), scene->maps()[b].get(), scene->setup().bodies[b].material,
+                   scene->setup().blur, [&simulation](int t, std::size_t k) -> Point<2> {
+                     const TileBlock& U = simulation.fluid().fields().front().tile(t);
+                     return Point<2>(U.component(1)[k], U.component(2)[k]) / U.component(0)[k];
+                   }});
+  return all;
+}
+
+std::vector<MappedSolid> mapped_solids(const FlowSolids& solids, const IncompressibleSolver& flow) {
+  std::vector<MappedSolid> all;
+  for (std::size_t b = 0; b < solids.maps().size(); ++b) {
+    const FlowBody& body = solids.setup().bodies[b];
+    all.push_back({body.name, &flow.grid(), solids.maps()[b].get(), Material{StressLaw::neo_hookean, body.density, 0, body.shear_modulus},
+                   solids.setup().blur * flow.grid().spacing.minCoeff(), [&flow](int t, std::size_t k) -> Point<2> {
+                     return {flow.velocity().tile(t).component(0)[k], flow.velocity().tile(t).component(1)[k]};
+                   }});
+  }
+  return all;
+}
+
+void add_mapped_solid(const MappedSolid& solid, Snapshot& snapshot) {
   struct Record {
     Index<2> cell;
     double phi;
     std::array<double, solid_field_names.size()> values;
   };
-  const ComponentGrid<2>& grid = simulation.fluid().grids().front();
-  const Material& material = simulation.reference_map()->setup().bodies[body].material;
+  const ComponentGrid<2>& grid = *solid.grid;
   std::vector<Record> mine;
-  for_each_mapped_cell(simulation, body, [&](int t, const Index<2>& c, std::size_t, const MappedCell& cell) {
+  for_each_mapped_cell(solid, [&](int t, const Index<2>& c, std::size_t, const MappedCell& cell) {
     const Index<2> first = grid.first_cell(t), index = {first[0] + c[0], first[1] + c[1]};
     mine.push_back({index, cell.phi, {}});
-    if (cell.phi < 0) mine.back().values = solid_field_values(material, cell.xi, state_of(cell, grid.center(index)));
+    if (cell.phi < 0) mine.back().values = solid_field_values(solid.material, cell.xi, state_of(cell, grid.center(index)));
   });
   const std::vector<Record> all = grid.forest.communicator().gather_all(mine);
   if (all.empty()) return;
@@ -136,7 +162,7 @@ void add_mapped_body(const Simulation<2>& simulation, std::size_t body, Snapshot
       high[d] = std::max(high[d], record.cell[d]);
     }
   GridSnapshot out;
-  out.name = simulation.reference_map()->setup().bodies[body].name;
+  out.name = solid.name;
   out.solid = true;
   out.cells = {high[0] - low[0] + 1, high[1] - low[1] + 1};
   for (int j = 0; j <= out.cells[1]; ++j)
@@ -159,28 +185,24 @@ void add_mapped_body(const Simulation<2>& simulation, std::size_t body, Snapshot
     snapshot.surfaces.push_back(std::move(polygon));
 }
 
-SolidTotals mapped_totals(const Simulation<2>& simulation, std::size_t body) {
-  const ReferenceMapScene& scene = *simulation.reference_map();
-  const ComponentGrid<2>& grid = simulation.fluid().grids().front();
-  const Material& material = scene.setup().bodies[body].material;
-  const Field<2>& field = scene.maps()[body]->field();
-  const double volume = grid.spacing.prod();
+SolidTotals totals(const MappedSolid& solid) {
+  const Field<2>& field = solid.map->field();
+  const double volume = solid.grid->spacing.prod();
   double von_mises = 0;
   TileSums<8> sums;  // m, m x, m v, m x × v, kinetic and strain energy
-  sums.add(0, grid, [&](int t, const Index<2>& c, std::size_t k) -> std::array<double, 8> {
+  sums.add(0, *solid.grid, [&](int t, const Index<2>& c, std::size_t k) -> std::array<double, 8> {
     if (!field.tile(t).allocated() || !(field.tile(t).component(3)[k] < BodyMap::layers)) return {};
-    const MappedCell cell = cell_of(simulation, body, t, k);
-    const double share = solid_share(cell.phi, 1 / scene.setup().blur), det = cell.map_gradient.determinant();
+    const MappedCell cell = cell_of(solid, t, k);
+    const double share = solid_share(cell.phi, 1 / solid.blur), det = cell.map_gradient.determinant();
     if (share == 0 || !(det > 0)) return {};
-    const Index<2> first = grid.first_cell(t);
-    const Point<2> x = grid.center({first[0] + c[0], first[1] + c[1]}), v = cell.velocity;
+    const Point<2> x = center_of(solid, t, c), v = cell.velocity;
     const ElasticState state = state_of(cell, x);
-    if (cell.phi < 0) von_mises = std::max(von_mises, cauchy_stress_of(material, state).von_mises());
-    const double reference = share * det * volume, m = material.density * reference;
+    if (cell.phi < 0) von_mises = std::max(von_mises, cauchy_stress_of(solid.material, state).von_mises());
+    const double reference = share * det * volume, m = solid.material.density * reference;
     return {m, m * x.x(), m * x.y(), m * v.x(), m * v.y(), m * (x.x() * v.y() - x.y() * v.x()), 0.5 * m * v.squaredNorm(),
-            reference * strain_energy_of(material, state)};
+            reference * strain_energy_of(solid.material, state)};
   });
-  const Communicator& comm = grid.forest.communicator();
+  const Communicator& comm = solid.grid->forest.communicator();
   const std::array<double, 8> sum = sums.total(comm);
   SolidTotals all;
   all.mass = sum[0];
@@ -193,41 +215,37 @@ SolidTotals mapped_totals(const Simulation<2>& simulation, std::size_t body) {
   return all;
 }
 
-double mapped_least_j(const Simulation<2>& simulation, std::size_t body) {
+double least_j(const MappedSolid& solid) {
   double largest = 0;  // of 1/J
-  for_each_mapped_cell(simulation, body, [&](int, const Index<2>&, std::size_t, const MappedCell& cell) {
+  for_each_mapped_cell(solid, [&](int, const Index<2>&, std::size_t, const MappedCell& cell) {
     if (cell.phi < 0) largest = std::max(largest, cell.map_gradient.determinant());
   });
-  return 1 / simulation.fluid().communicator().max(largest);
+  return 1 / solid.grid->forest.communicator().max(largest);
 }
 
-std::optional<MappedPoint> mapped_point(const Simulation<2>& simulation, std::size_t body, const Point<2>& X) {
+std::optional<MappedPoint> material_point(const MappedSolid& solid, const Point<2>& X) {
   struct Nearest {
     double distance;
     std::int64_t tile;
     std::array<double, 2> x;
     ElasticState state;
   };
-  const ComponentGrid<2>& grid = simulation.fluid().grids().front();
-  const BodyMap& map = *simulation.reference_map()->maps()[body];
-  if (map.level_set()(X.x(), X.y()) >= 0) return std::nullopt;
+  if (solid.map->level_set()(X.x(), X.y()) >= 0) return std::nullopt;
+  const ComponentGrid<2>& grid = *solid.grid;
   std::vector<Nearest> mine;
-  for_each_mapped_cell(simulation, body, [&](int t, const Index<2>& c, std::size_t k, const MappedCell& cell) {
+  for_each_mapped_cell(solid, [&](int t, const Index<2>& c, std::size_t k, const MappedCell& cell) {
     const double distance = (cell.xi - X).norm();
-    if (!mine.empty() && !(distance < mine.back().distance)) return;
-    const Index<2> first = grid.first_cell(t);
-    const Point<2> center = grid.center({first[0] + c[0], first[1] + c[1]});
-    MappedPoint point{center + cell.map_gradient.inverse() * (X - cell.xi), state_of(cell, center)};
-    const TileBlock& U = simulation.fluid().fields().front().tile(t);
-    const Point<2> d = (point.x - center).cwiseQuotient(grid.spacing);
-    for (int component = 0; component < 2; ++component) {
-      const auto v = [&](std::ptrdiff_t at) { return U.component(1 + component)[k + static_cast<std::size_t>(at)] / U.component(0)[k + static_cast<std::size_t>(at)]; };
-      const std::ptrdiff_t s = grid.shape.stride;
-      point.state[static_cast<std::size_t>(component)] += 0.5 * (d.x() * (v(1) - v(-1)) + d.y() * (v(s) - v(-s)));
-    }
-    point.state[6] = point.x.x() - X.x();
-    point.state[7] = point.x.y() - X.y();
-    mine.assign(1, {distance, grid.forest.first_global() + t, {point.x.x(), point.x.y()}, point.state});
+    if (cell.layer > 1 || (!mine.empty() && !(distance < mine.back().distance))) return;
+    const Point<2> center = center_of(solid, t, c), x = center + cell.map_gradient.inverse() * (X - cell.xi);
+    ElasticState state = state_of(cell, center);
+    const Point<2> d = (x - center).cwiseQuotient(grid.spacing);
+    const auto s = static_cast<std::size_t>(grid.shape.stride);
+    const Point<2> slope = 0.5 * (d.x() * (solid.velocity(t, k + 1) - solid.velocity(t, k - 1)) + d.y() * (solid.velocity(t, k + s) - solid.velocity(t, k - s)));
+    state[0] += slope.x();
+    state[1] += slope.y();
+    state[6] = x.x() - X.x();
+    state[7] = x.y() - X.y();
+    mine.assign(1, {distance, grid.forest.first_global() + t, {x.x(), x.y()}, state});
   });
   const std::vector<Nearest> all = grid.forest.communicator().gather_all(mine);
   if (all.empty()) return std::nullopt;

@@ -1,29 +1,48 @@
-// The solids of a reference-map scene for output: their cells, totals, outlines and material points.
+// Solids that live on the cells of a fluid by their reference maps, for output: fields, totals, surfaces, material points.
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "mortise/cases/driver/totals.hpp"
+#include "mortise/coupler/reference_map/flow_solids.hpp"
+#include "mortise/coupler/reference_map/incompressible_solver.hpp"
 #include "mortise/grids/output/snapshot.hpp"
 
 namespace mortise {
 
-/// Body number `body` on the cells of the background inside it, with the solid_field_names (solid_snapshot.hpp), and appends its
-/// surface, φ = 0, to the snapshot's. Collective.
-void add_mapped_body(const Simulation<2>& simulation, std::size_t body, Snapshot& snapshot);
+/// One of them; a view.
+struct MappedSolid {
+  std::string name;
+  const ComponentGrid<2>* grid;
+  const BodyMap* map;
+  Material material;
+  double blur;                                                     // half width of the blur zone, a length
+  std::function<Point<2>(int tile, std::size_t cell)> velocity;    // of a cell, ghosts included
+};
+
+/// In the order of the case file; none where there is no reference map.
+std::vector<MappedSolid> mapped_solids(const Simulation<2>& simulation);
+inline std::vector<MappedSolid> mapped_solids(const Simulation<1>&) { return {}; }
+std::vector<MappedSolid> mapped_solids(const FlowSolids& solids, const IncompressibleSolver& flow);
+
+/// The cells inside it, with the solid_field_names (solid_snapshot.hpp), and its surface, φ = 0. Collective.
+void add_mapped_solid(const MappedSolid& solid, Snapshot& snapshot);
 
 /// Sums over cells, weighted with the solid's share of them. Collective.
-SolidTotals mapped_totals(const Simulation<2>& simulation, std::size_t body);
+SolidTotals totals(const MappedSolid& solid);
 
-/// Smallest J in the body. Collective.
-double mapped_least_j(const Simulation<2>& simulation, std::size_t body);
+/// Smallest J in it. Collective.
+double least_j(const MappedSolid& solid);
 
 /// Where a material point is, and its state: (v, F, u).
 struct MappedPoint {
-  Point<2> x;
-  ElasticState state;
+  Point<2> x = Point<2>::Zero();
+  ElasticState state{};
 };
-/// Second order; none if X is not in the body. Collective.
-std::optional<MappedPoint> mapped_point(const Simulation<2>& simulation, std::size_t body, const Point<2>& X);
+/// Second order; none if X is not in the solid. Collective.
+std::optional<MappedPoint> material_point(const MappedSolid& solid, const Point<2>& X);
 
 }  // namespace mortise

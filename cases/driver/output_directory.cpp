@@ -11,7 +11,7 @@ namespace mortise {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* files_of_a_run[] = {"summary.json", "mortise.xdmf", "bodies.csv", "probes.csv", "checkpoint.h5", "fields", "frames"};
+constexpr const char* files_of_a_run[] = {"summary.json", "mortise.xdmf", "bodies.csv", "probes.csv", "solids.csv", "tracers.csv", "checkpoint.h5", "fields", "frames"};
 
 bool holds_a_run(const fs::path& directory) {
   for (const char* file : files_of_a_run)

@@ -23,7 +23,7 @@ std::string key_of(StressLaw law) {
   return "";
 }
 
-SolidSummary summary_of(const std::string& name, StressLaw law, const SolidTotals& part, double least_j) {
+SolidSummary solid_summary(const std::string& name, StressLaw law, const SolidTotals& part, double least_j) {
   return {.name = name,
           .law = key_of(law),
           .mass = part.mass,
@@ -36,6 +36,14 @@ SolidSummary summary_of(const std::string& name, StressLaw law, const SolidTotal
           .least_j = least_j,
           .max_von_mises = part.max_von_mises};
 }
+
+}  // namespace
+
+SolidSummary summary_of(const MappedSolid& solid) {
+  return solid_summary(solid.name, solid.material.law, totals(solid), least_j(solid));
+}
+
+namespace {
 
 InterfaceSummary summary_of(const InterfaceState& interface, double p_inf) {
   const InterfaceMeasures m = measure(interface, p_inf);
@@ -189,13 +197,8 @@ void RunReport<Dim>::add_bodies(RunSummary& summary) const {
 template <int Dim>
 void RunReport<Dim>::add_solids(RunSummary& summary) const {
   for (const auto& solid : simulation_.solids())
-    summary.solids.push_back(summary_of(solid->setup().name, solid->law(), totals(*solid), solid->least_j()));
-  if constexpr (Dim == 2)
-    if (const ReferenceMapScene* map = simulation_.reference_map())
-      for (std::size_t b = 0; b < map->maps().size(); ++b) {
-        const MappedBody& body = map->setup().bodies[b];
-        summary.solids.push_back(summary_of(body.name, body.material.law, mapped_totals(simulation_, b), mapped_least_j(simulation_, b)));
-      }
+    summary.solids.push_back(solid_summary(solid->setup().name, solid->law(), totals(*solid), solid->least_j()));
+  for (const MappedSolid& solid : mapped_solids(simulation_)) summary.solids.push_back(summary_of(solid));
   for (const InterfaceState& interface : simulation_.interfaces())
     summary.interfaces.push_back(summary_of(interface, simulation_.fluid().setup().gas.p_inf));
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "mortise/cases/driver/mapped_bodies.hpp"
 #include "mortise/cases/driver/time_norms.hpp"
 #include "mortise/cases/driver/totals.hpp"
 #include "mortise/cases/input/case_description.hpp"
@@ -11,6 +12,9 @@
 #include "mortise/cases/summary/summary.hpp"
 
 namespace mortise {
+
+/// A solid that lives on the cells of a fluid. Collective.
+SolidSummary summary_of(const MappedSolid& solid);
 
 template <int Dim>
 class RunReport {

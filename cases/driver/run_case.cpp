@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "mortise/cases/driver/agreement.hpp"
+#include "mortise/cases/driver/flow_run.hpp"
 #include "mortise/cases/driver/initial_check.hpp"
 #include "mortise/cases/driver/output_directory.hpp"
 #include "mortise/cases/driver/progress.hpp"
@@ -162,6 +163,7 @@ CaseDescription adjusted(CaseDescription description, const RunOptions& options)
 
 int run_case(CaseDescription description, const RunOptions& options, const Communicator& comm) {
   description = adjusted(std::move(description), options);
+  if (description.incompressible()) return run_flow_case(description, options, comm);
   if (scene_dimension(description) == 1) return Run<1>(std::move(description), options, comm)();
   return Run<2>(std::move(description), options, comm)();
 }
@@ -173,6 +175,7 @@ void check_case_runs(const CaseDescription& description, const Communicator& com
     agree(comm, [&] { simulation.initialize(); });
     agree(comm, [&] { check_initial_state(description, simulation); });
   };
+  if (description.incompressible()) return check_flow_case_runs(description, comm);
   if (scene_dimension(description) == 1)
     build.template operator()<1>();
   else

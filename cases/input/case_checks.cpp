@@ -202,6 +202,32 @@ void check_required(const Node& root, const CaseDescription& c) {
   need("initial", "kind", "how the gas is at t = 0: uniform, shock, riemann, vortex, regions or exact");
 }
 
+/// What an incompressible fluid can be in, and a gas cannot.
+void check_fluid(const Node& root, const CaseDescription& c) {
+  for (const auto& [side, kind] : {std::pair{"left", c.left}, {"right", c.right}, {"bottom", c.bottom}, {"top", c.top}}) {
+    const std::string path = std::string("boundaries.") + side;
+    if (!c.incompressible() && kind == "slip_wall") reject(root, path, path + " = \"slip_wall\" is for incompressible fluids: walls of gas are, all of them");
+    if (c.incompressible() && kind == "exact") reject(root, path, path + " = \"exact\" is not there with fluid.kind = \"incompressible\"");
+  }
+  for (std::size_t k = 0; k < c.solids.size(); ++k)
+    for (const auto& [key, given] : {std::pair{"actuation", !c.solids[k].actuation.empty()}, {"anchors", !c.solids[k].anchors.empty()}})
+      if (given && !c.incompressible())
+        reject(root, "solids." + std::to_string(k), "solids." + std::to_string(k) + "." + key + " needs fluid.kind = \"incompressible\"");
+  if (!c.incompressible()) return;
+  const std::string fluid = "fluid.kind = \"incompressible\" ";
+  if (c.dimension != 2 || c.layered()) reject(root, "fluid.kind", fluid + "needs dimension = 2 and grid.kind = \"overlapping\"");
+  if (c.initial.kind != "uniform" && c.initial.kind != "regions")
+    reject(root, "fluid.kind", fluid + "has no " + c.initial.kind + ": initial.kind can be uniform or regions");
+  if (!c.bodies.empty()) reject(root, "fluid.kind", fluid + "moves no rigid bodies");
+  if (!c.exact.empty()) reject(root, "fluid.kind", fluid + "has no exact solution to compare with");
+  if (!c.solids.empty() && c.scheme != "reference-map") reject(root, "scheme", fluid + "needs scheme = \"reference-map\" for its solids, not \"" + c.scheme + "\"");
+  for (const SolidDescription& solid : c.solids)
+    if (solid.material.law != "neo_hookean") reject(root, "fluid.kind", fluid + "needs material.law = \"neo_hookean\", and " + solid.name + " has \"" + solid.material.law + "\"");
+  for (const std::string& picture : c.pictures)
+    if (picture == "schlieren" || picture == "mach")
+      reject(root, "output.pictures", "the picture \"" + picture + "\" of output.pictures needs gas; with an incompressible fluid: vorticity, pressure, velocity, stress");
+}
+
 void check_scheme(const Node& root, const CaseDescription& c) {
   const auto wet = std::find_if(c.solids.begin(), c.solids.end(), [](const auto& b) { return b.wet(); });
   const bool interfaces = wet != c.solids.end();
@@ -243,6 +269,7 @@ void complete_case(const Node& root, CaseDescription& c) {
     const double radians = i.angle * std::numbers::pi / 180;
     i.left = gas_behind_shock(i.right, i.mach, {std::cos(radians), std::sin(radians)}, c.gamma, c.p_inf);
   }
+  if (c.incompressible() && !root.find("output.pictures")) c.pictures = {"vorticity"};
   complete_solids(root, c);
   const bool interfaces = std::any_of(c.solids.begin(), c.solids.end(), [](const auto& b) { return b.wet(); });
   if (!root.find("scheme")) c.scheme = interfaces ? "projection" : c.bodies.empty() ? "none" : "rigid";
@@ -265,6 +292,7 @@ void check_case(const Node& root, const CaseDescription& c) {
   check_initial(root, c);
   check_exact(root, c);
   check_scheme(root, c);
+  check_fluid(root, c);
   for (std::size_t k = 0; k < c.bodies.size(); ++k) check_body(root, c, k);
   check_solids(root, c);
   check_places(root, c);

@@ -84,12 +84,16 @@ struct CaseDescription {
   double cfl = 0.9;
   double time_step = 0;  // fixed Δt; 0: from cfl
 
+  std::string fluid_kind = "gas";  // gas; incompressible: density and viscosity below, boundaries and velocities as given
+  double fluid_density = 1, fluid_viscosity = 0;
+  std::string pressure_solver = "transform";  // of an incompressible fluid
+  bool incompressible() const { return fluid_kind == "incompressible"; }
   double gamma = 1.4, p_inf = 0;
   std::string limiter = "mc", riemann = "hllc";
   double van_albada_k = 10;
 
   std::string left = "outflow", right = "outflow", bottom = "outflow",
-              top = "outflow";     // inflow, outflow, wall, periodic, exact
+              top = "outflow";     // inflow, outflow, wall, slip_wall, periodic, exact
   std::array<double, 4> inflow{};  // (ρ, u, v, p) of inflow sides; default: state (uniform) or the gas behind the shock
   bool has_inflow = false;         // a side is inflow
 

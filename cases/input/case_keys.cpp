@@ -32,6 +32,10 @@ void visit_gas(Section& s, CaseDescription& c) {
 }
 
 void visit_fluid(Section& s, CaseDescription& c) {
+  s.choice("kind", c.fluid_kind, options::fluid_kinds, "gas: compressible; incompressible: with density and viscosity");
+  s.number("density", c.fluid_density, positive, "incompressible: density");
+  s.number("viscosity", c.fluid_viscosity, non_negative, "incompressible: dynamic viscosity");
+  s.choice("pressure_solver", c.pressure_solver, options::pressure_solvers, "incompressible: how the pressure is found");
   s.choice("limiter", c.limiter, options::limiters, "slope limiter; none for smooth flow, mc for shocks");
   s.choice("riemann", c.riemann, options::riemann_solvers, "Riemann solver at cell faces");
   s.number("van_albada_k", c.van_albada_k, non_negative, "K of the van Albada limiter's floor ε² = K h³ q²");

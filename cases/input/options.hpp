@@ -13,14 +13,16 @@ inline const std::vector<std::string> interface_schemes = {"projection", "tradit
                                                            "anti-traditional", "reference-map"};
 inline const std::vector<std::string> limiters = {"none", "minmod", "mc", "van_albada"};
 inline const std::vector<std::string> riemann_solvers = {"hllc", "exact", "hlle"};
-inline const std::vector<std::string> boundaries = {"inflow", "outflow", "wall", "periodic", "exact"};
+inline const std::vector<std::string> boundaries = {"inflow", "outflow", "wall", "slip_wall", "periodic", "exact"};
+inline const std::vector<std::string> fluid_kinds = {"gas", "incompressible"};
+inline const std::vector<std::string> pressure_solvers = {"transform"};
 inline const std::vector<std::string> initial_kinds = {"uniform", "shock", "riemann", "vortex", "regions", "exact"};
 inline const std::vector<std::string> shapes = {"circle",  "ellipse", "stick", "rectangle",
                                                 "polygon", "spline",  "slab",  "half_space"};
 inline const std::vector<std::string> surfaces = {"wall", "exact"};
 inline const std::vector<std::string> sides = {"left", "right"};
 inline const std::vector<std::string> degrees_of_freedom = {"x", "y", "angle"};
-inline const std::vector<std::string> pictures = {"schlieren", "pressure", "velocity", "mach", "stress", "grids"};
+inline const std::vector<std::string> pictures = {"schlieren", "pressure", "velocity", "mach", "vorticity", "stress", "grids"};
 inline const std::vector<std::string> fluid_exact_solutions = {
     "none", "riemann", "vortex", "uniform", "rigid_piston", "shock_on_massless_body", "weak_shock_on_free_cylinder"};
 inline const std::vector<std::string> solid_exact_solutions = {

@@ -44,6 +44,14 @@ struct SolidInitialDescription {
   std::string displacement_x, displacement_y, velocity_x, velocity_y;  // formula: of x, y (reference position)
 };
 
+/// Reference-map solids in an incompressible fluid: material within `radius` of `center` (reference position) is led along a path;
+/// formulas of t, 0 at t = 0 where the material begins undisplaced; empty: 0.
+struct AnchorDescription {
+  std::array<double, 2> center{};
+  double radius = 0;
+  std::string x, y, angle;  // displacement; angle in radians
+};
+
 /// One elastic solid. Its reference frame is space: X is the position at t = 0 before any initial displacement.
 struct SolidDescription : ShapeDescription {
   // shape, further: annulus; plate (rectangle with a round hole, or without); strip (behind a straight wall through the
@@ -62,6 +70,8 @@ struct SolidDescription : ShapeDescription {
   double angular_velocity = 0;       // radians per time, at t = 0
   int layers = 0;                    // cell layers of the gas grid around it; 0: default
   MaterialDescription material;
+  std::string actuation;  // incompressible fluid: principal stretch along the body's x axis it tends to, of x, y (about its centre), t
+  std::vector<AnchorDescription> anchors;
   SolidInitialDescription initial;
   SideDescription outer, inner, left, right, bottom, top, back;
 

@@ -92,6 +92,16 @@ void visit_solid(Section& s, SolidDescription& b) {
   s.integer("layers", b.layers, {.low = 0, .high = 1000},
             "cell layers of the gas's grid at the interface; 0: chosen by the program");
   s.table("material", [&](Section& t) { visit_material(t, b.material); });
+  s.formula("actuation", b.actuation, {"x", "y", "t"},
+            "incompressible fluid: stretch along the solid's own x axis that it tends to, 1/stretch across; of the undeformed place about its centre");
+  s.tables("anchors", [&](Section& t, std::size_t) {
+    AnchorDescription& a = b.anchors.emplace_back();
+    t.vector("center", a.center, any_number, "incompressible fluid: where material is held, undeformed");
+    t.number("radius", a.radius, positive, "all material so near is held");
+    t.formula("x", a.x, {"t"}, "its displacement along x");
+    t.formula("y", a.y, {"t"}, "its displacement along y");
+    t.formula("angle", a.angle, {"t"}, "its turn about the centre, radians");
+  });
   s.table("initial", [&](Section& t) { visit_initial(t, b.initial); });
   s.table("sides", [&](Section& t) { visit_sides(t, b); });
   s.table("traction", [&](Section& t) { visit_tractions(t, b); });

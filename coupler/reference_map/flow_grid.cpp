@@ -3,17 +3,6 @@
 namespace mortise {
 namespace {
 
-ComponentGrid<2> make_grid(const IncompressibleSetup& setup, const Communicator& comm) {
-  check(setup);
-  const std::array<bool, 2> periodic{setup.sides[west].kind == SideKind::periodic,
-                                     setup.sides[south].kind == SideKind::periodic};
-  ComponentGrid<2> grid("flow", comm, setup.cells, periodic, TileShape<2>(setup.tile));
-  grid.origin = setup.domain.low;
-  for (int d = 0; d < 2; ++d)
-    grid.spacing[d] = (setup.domain.high[d] - setup.domain.low[d]) / setup.cells[static_cast<std::size_t>(d)];
-  return grid;
-}
-
 constexpr std::size_t normal_of(std::size_t side) { return side / 2; }
 
 Index<2> outward(std::size_t side) {
@@ -37,7 +26,18 @@ Point<2> velocity_at(const FlowSide& side, std::size_t number, const ComponentGr
 
 }  // namespace
 
-FlowGrid::FlowGrid(const IncompressibleSetup& setup, const Communicator& comm) : grid_(make_grid(setup, comm)) {
+ComponentGrid<2> make_flow_grid(const IncompressibleSetup& setup, const Communicator& comm) {
+  check(setup);
+  const std::array<bool, 2> periodic{setup.sides[west].kind == SideKind::periodic,
+                                     setup.sides[south].kind == SideKind::periodic};
+  ComponentGrid<2> grid("flow", comm, setup.cells, periodic, TileShape<2>(setup.tile));
+  grid.origin = setup.domain.low;
+  for (int d = 0; d < 2; ++d)
+    grid.spacing[d] = (setup.domain.high[d] - setup.domain.low[d]) / setup.cells[static_cast<std::size_t>(d)];
+  return grid;
+}
+
+FlowGrid::FlowGrid(const IncompressibleSetup& setup, const Communicator& comm) : grid_(make_flow_grid(setup, comm)) {
   list_sides(setup);
   for (const int components : {1, 2, 4})
     exchange_[static_cast<std::size_t>(components)] =

@@ -12,6 +12,9 @@
 
 namespace mortise {
 
+/// The grid of a flow; solids, which are there before the flow, need one like it. Throws InputError, see check(IncompressibleSetup).
+ComponentGrid<2> make_flow_grid(const IncompressibleSetup& setup, const Communicator& comm);
+
 class FlowGrid {
  public:
   /// Throws InputError, see check(IncompressibleSetup). Collective.

@@ -1,10 +1,8 @@
 #include "mortise/coupler/reference_map/flow_solids.hpp"
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "mortise/grids/core/error.hpp"
 
@@ -25,10 +23,11 @@ struct Stress {
   double xx, xy, yy;
 };
 
-/// τ of the elastic part of the deformation, F F_a⁻¹; `stretch` is a of F_a = diag(a, 1/a).
-Stress neo_hookean(const MapGradient<double>& G, double modulus, double stretch) {
-  // With H = F_a G the elastic left Cauchy-Green tensor is b = (HᵀH)⁻¹.
-  const double xx = stretch * G.xx, xy = stretch * G.xy, yx = G.yx / stretch, yy = G.yy / stretch;
+/// τ of the elastic part of the deformation, F F_a⁻¹; `stretch` is a of F_a = Rᵀ diag(a, 1/a) R, c and s: of R.
+Stress neo_hookean(const MapGradient<double>& G, double modulus, double stretch, double c, double s) {
+  // With H = diag(a, 1/a) R G the elastic left Cauchy-Green tensor is b = (HᵀH)⁻¹.
+  const double xx = stretch * (c * G.xx + s * G.yx), xy = stretch * (c * G.xy + s * G.yy);
+  const double yx = (c * G.yx - s * G.xx) / stretch, yy = (c * G.yy - s * G.xy) / stretch;
   const double det = xx * yy - xy * yx, inverse = 1 / (det * det);
   const double bxx = inverse * (xy * xy + yy * yy), byy = inverse * (xx * xx + yx * yx), bxy = -inverse * (xx * xy + yx * yy);
   const double mean = (bxx + byy + 1) / 3;
@@ -180,6 +179,7 @@ void FlowSolids::add_edges(int t, int direction, std::size_t b, bool half, doubl
   const double along_step = 1 / grid_.spacing[direction], across_step = 0.25 / grid_.spacing[1 - direction];
   double* const viscosity = fields.viscosity.tile(t).component(direction);
   TileBlock& stress = (direction == 0 ? fields.stress_x : fields.stress_y).tile(t);
+  const double cosine = std::cos(body.axis), sine = std::sin(body.axis);
   const Index<2> first = grid_.first_cell(t);
   const double *const x = map.component(0), *const y = map.component(1), *const phi = map.component(2), *const layer = map.component(3);
   const int i_high = grid_.shape.cells[0] + (direction == 0), j_high = grid_.shape.cells[1] + (direction == 1);
@@ -200,7 +200,7 @@ void FlowSolids::add_edges(int t, int direction, std::size_t b, bool half, doubl
       if (!(G.determinant() > 0.05)) continue;
       const double share = solid_share(level, inverse_width);
       const Point<2> X(0.5 * (x[k] + x[p]), 0.5 * (y[k] + y[p]));
-      Stress tau = neo_hookean(G, body.shear_modulus, body.actuation ? body.actuation(X, time) : 1.0);
+      Stress tau = neo_hookean(G, body.shear_modulus, body.actuation ? body.actuation(X, time) : 1.0, cosine, sine);
       // ∇φ in space, for what pushes bodies apart.
       const auto slope = [&](const double* q) {
         const Point<2> g(along(q), aside(q));
@@ -233,76 +233,6 @@ void FlowSolids::add_edges(int t, int direction, std::size_t b, bool half, doubl
       stress.component(1)[k] += share * (direction == 0 ? tau.xy : tau.yy);
       viscosity[k] = std::max(0.0, viscosity[k] - share * setup_.fluid_viscosity);
     }
-}
-
-FlowSolids::Totals FlowSolids::totals(std::size_t b, const Field<2>& velocity) const {
-  using Sum = std::array<double, 7>;
-  struct Tile {
-    std::int64_t tile;
-    Sum sum;
-  };
-  const double inverse_width = 1 / (setup_.blur * grid_.spacing.minCoeff()), cell = grid_.spacing.prod(), density = setup_.bodies[b].density;
-  std::vector<Tile> mine;
-  for (int t = 0; t < grid_.forest.local_count(); ++t) {
-    const TileBlock& map = maps_[b]->field().tile(t);
-    if (!map.allocated()) continue;
-    Tile part{grid_.forest.first_global() + t, {}};
-    const Index<2> first = grid_.first_cell(t);
-    for_each_cell<2>(grid_.shape, 0, [&](const Index<2>& c) {
-      const std::size_t k = grid_.shape.at(c);
-      const double volume = cell * solid_share(map.component(2)[k], inverse_width);
-      const Point<2> x = grid_.center({first[0] + c[0], first[1] + c[1]}), v(velocity.tile(t).component(0)[k], velocity.tile(t).component(1)[k]);
-      const Sum add = {1, x.x(), x.y(), v.x(), v.y(), x.x() * v.y() - x.y() * v.x(), 0};
-      for (std::size_t n = 0; n < add.size(); ++n) part.sum[n] += volume * add[n];
-    });
-    mine.push_back(part);
-  }
-  std::map<std::int64_t, Sum> in_order;
-  for (const Tile& part : grid_.forest.communicator().gather_all(mine)) in_order[part.tile] = part.sum;
-  Sum sum{};
-  for (const auto& [tile, part] : in_order)
-    for (std::size_t n = 0; n < sum.size(); ++n) sum[n] += part[n];
-  Totals all;
-  all.volume = sum[0];
-  all.mass = density * sum[0];
-  all.center = Point<2>(sum[1], sum[2]) / sum[0];
-  all.momentum = density * Point<2>(sum[3], sum[4]);
-  all.angular_momentum = density * (sum[5] - (all.center.x() * sum[4] - all.center.y() * sum[3]));
-  return all;
-}
-
-std::vector<Point<2>> FlowSolids::place(std::size_t b, const Point<2>& X) const {
-  struct Nearest {
-    double distance;
-    std::int64_t tile;
-    std::array<double, 2> x;
-  };
-  if (maps_[b]->level_set()(X.x(), X.y()) >= 0) return {};
-  std::vector<Nearest> mine;
-  const std::size_t s = static_cast<std::size_t>(grid_.shape.stride);
-  for (int t = 0; t < grid_.forest.local_count(); ++t) {
-    const TileBlock& map = maps_[b]->field().tile(t);
-    if (!map.allocated()) continue;
-    const Index<2> first = grid_.first_cell(t);
-    const double *x = map.component(0), *y = map.component(1);
-    for_each_cell<2>(grid_.shape, 0, [&](const Index<2>& c) {
-      const std::size_t k = grid_.shape.at(c);
-      if (map.component(3)[k] > 1) return;
-      const Point<2> rest = X - Point<2>(x[k], y[k]);
-      if (!mine.empty() && !(rest.norm() < mine.back().distance)) return;
-      Gradient G;
-      G << (x[k + 1] - x[k - 1]) / (2 * grid_.spacing.x()), (x[k + s] - x[k - s]) / (2 * grid_.spacing.y()),
-          (y[k + 1] - y[k - 1]) / (2 * grid_.spacing.x()), (y[k + s] - y[k - s]) / (2 * grid_.spacing.y());
-      const Point<2> at = grid_.center({first[0] + c[0], first[1] + c[1]}) + G.inverse() * rest;
-      mine.assign(1, {rest.norm(), grid_.forest.first_global() + t, {at.x(), at.y()}});
-    });
-  }
-  const std::vector<Nearest> all = grid_.forest.communicator().gather_all(mine);
-  if (all.empty()) return {};
-  const Nearest& nearest = *std::min_element(all.begin(), all.end(), [](const Nearest& one, const Nearest& two) {
-    return std::pair(one.distance, one.tile) < std::pair(two.distance, two.tile);
-  });
-  return {{nearest.x[0], nearest.x[1]}};
 }
 
 }  // namespace mortise

@@ -28,9 +28,9 @@ struct FlowBody {
   double density = 1, shear_modulus = 1;                 // ρ_s > 0, G > 0
   std::shared_ptr<const LevelSet> level_set;             // of its outline in the reference frame
   std::function<Point<2>(const Point<2>& x)> reference;  // ξ at t = 0; empty: undeformed
-  // Principal stretch the material tends to along the x axis of the reference frame, 1/stretch along y: F ← F F_a⁻¹,
-  // F_a = diag(a, 1/a). Empty: passive.
+  // Stretch a the material tends to along an axis of the reference frame, 1/a across: F ← F F_a⁻¹. Empty: passive.
   std::function<double(const Point<2>& X, double t)> actuation;
+  double axis = 0;  // of the actuation: radians from +x
   std::vector<Anchor> anchors;
 };
 
@@ -53,15 +53,6 @@ class FlowSolids : public Solids {
 
   const FlowSolidsSetup& setup() const { return setup_; }
   const std::vector<std::unique_ptr<BodyMap>>& maps() const { return maps_; }
-  /// Σ over bodies at the cells of this rank. Collective.
-  struct Totals {
-    double mass = 0, volume = 0;
-    Point<2> center = Point<2>::Zero(), momentum = Point<2>::Zero();
-    double angular_momentum = 0;  // about the centre
-  };
-  Totals totals(std::size_t body, const Field<2>& velocity) const;
-  /// Where the material point X is; empty if it is not in the body. Second order. Collective.
-  std::vector<Point<2>> place(std::size_t body, const Point<2>& X) const;
   std::int64_t orphans() const;
   std::size_t memory_bytes() const;
   /// The flow whose velocity moves the solids, until the first full step.

@@ -242,4 +242,33 @@ double IncompressibleSolver::advance(double limit) {
   return dt;
 }
 
+std::optional<FlowSample> IncompressibleSolver::sample(const Point<2>& place) const {
+  const ComponentGrid<2>& g = grid();
+  const Point<2> at = (place - g.origin).cwiseQuotient(g.spacing);  // in cells
+  Index<2> cell, tile;
+  for (int d = 0; d < 2; ++d) {
+    const auto k = static_cast<std::size_t>(d);
+    if (!(at[d] >= 0 && at[d] <= g.cells[k])) return std::nullopt;
+    cell[k] = std::min(static_cast<int>(at[d]), g.cells[k] - 1);
+    tile[k] = cell[k] / g.shape.cells[k];
+    cell[k] -= tile[k] * g.shape.cells[k];
+  }
+  const Neighbor owner = g.forest.find(tile);
+  if (owner.rank != g.forest.communicator().rank()) return std::nullopt;
+  /// Bilinear in values that lie at integer places; s: from the first of them.
+  const auto bilinear = [&](const double* values, const Point<2>& s) {
+    const auto i = static_cast<std::ptrdiff_t>(std::floor(s[0])), j = static_cast<std::ptrdiff_t>(std::floor(s[1]));
+    const double a = s[0] - static_cast<double>(i), b = s[1] - static_cast<double>(j);
+    const double* v = values + i + j * g.shape.stride;
+    return (1 - b) * ((1 - a) * v[0] + a * v[1]) + b * ((1 - a) * v[g.shape.stride] + a * v[g.shape.stride + 1]);
+  };
+  const std::size_t first = g.shape.at(0, 0);
+  const Point<2> inside(at[0] - tile[0] * g.shape.cells[0], at[1] - tile[1] * g.shape.cells[1]);
+  const TileBlock& v = velocity_.tile(owner.local);
+  const Point<2> half(0.5, 0.5);
+  const Point<2> corner = inside.cwiseMin(Point<2>(g.shape.cells[0] - 1e-12, g.shape.cells[1] - 1e-12));
+  return FlowSample{{bilinear(v.component(0) + first, inside - half), bilinear(v.component(1) + first, inside - half)},
+                    bilinear(pressure_.tile(owner.local).component(0) + first, corner)};
+}
+
 }  // namespace mortise

@@ -67,12 +67,6 @@ class IncompressibleSolver {
   /// Bilinear between cell centres (v) and nodes (p). Empty on ranks that do not own the point's cell.
   std::optional<FlowSample> sample(const Point<2>& place) const;
 
-  /// What a continued run needs of a local tile: u and v (cells), p (nodes 0 … nx by 0 … ny), MAC correction (cells).
-  std::vector<double> state(int tile) const;
-  /// The inverse for all local tiles, in place of initialize(): the run goes on bit by bit. states[t]: of local tile t. Solids
-  /// must have been brought to their own state before; their full_step() is called. Throws InputError on wrong sizes.
-  void restore(double time, const std::vector<std::vector<double>>& states);
-
  private:
   void predict(double dt);
   void project_edges();

@@ -43,7 +43,6 @@ class PressureSolver {
 ///   transform  fast sine and cosine transforms: direct for constant density, otherwise conjugate gradients with them as
 ///              preconditioner (contraction depends on the ratio of densities alone). Every rank solves the whole grid
 ///              alike: bitwise the same on any number of ranks, and for grids that one rank can hold.
-///   hypre      structured multigrid of the hypre library inside conjugate gradients, distributed.
 std::vector<std::string> pressure_solver_keys();
 
 /// Throws InputError with the nearest key when there is no such solver. The problem's grid has to outlive the solver.

@@ -3,6 +3,7 @@
 
 #include "mortise/cases/driver/mapped_bodies.hpp"
 #include "mortise/cases/driver/totals.hpp"
+#include "mortise/solid/elastic_measures.hpp"
 #include "verification/case_runner.hpp"
 
 namespace mortise::testing {
@@ -52,7 +53,7 @@ std::vector<double> turns(const std::string& scheme) {
     run.simulation.advance(1.6);
     t.push_back(run.simulation.time());
     if (scheme == "reference-map") {
-      x.push_back(mapped_point(run.simulation, 0, X[0])->x.x());
+      x.push_back(material_point(mapped_solids(run.simulation)[0], X[0])->x.x());
     } else {
       const Material& material = run.simulation.solids()[0]->setup().options.material;
       x.push_back(0.45 + displacement_of(material, run.simulation.solids()[0]->sample(X)[0]).x());
@@ -78,7 +79,7 @@ TEST(ReferenceMap, ShockMovesTwoDisksAsUnderProjection) {
   ASSERT_TRUE(one.finished()) << one.reason();
   const double radius[] = {1, 0.8};
   for (std::size_t b = 0; b < 2; ++b) {
-    const Point<2> a = mapped_totals(one.simulation, b).center, c = totals(*two.simulation.solids()[b]).center;
+    const Point<2> a = totals(mapped_solids(one.simulation)[b]).center, c = totals(*two.simulation.solids()[b]).center;
     EXPECT_LT((a - c).norm(), 0.05 * radius[b]) << a.transpose() << " and " << c.transpose();
   }
 }
@@ -89,7 +90,7 @@ TEST(ReferenceMap, ScenesOfThePartitionedSchemesRun) {
       CaseRun<2> run(name, mapped + Overrides{std::string("grid.factor=") + (name[6] == 'd' ? "5" : "1.5"), "time.end=0.7", std::string("solids.0.material.law=") + law});
       run.run();
       EXPECT_TRUE(run.finished()) << name << ", " << law << ": " << run.reason();
-      EXPECT_GT(mapped_least_j(run.simulation, 0), 0.5) << name;
+      EXPECT_GT(least_j(mapped_solids(run.simulation)[0]), 0.5) << name;
     }
 }
 

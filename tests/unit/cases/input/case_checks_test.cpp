@@ -124,7 +124,7 @@ TEST(CaseChecks, Schemes) {
   EXPECT_EQ(read_text(plane_case).scheme, "rigid");
   EXPECT_EQ(error_of(plane_case, {"scheme=rigit"}),
             "--set scheme=rigit: scheme = \"rigit\" is not known, did you mean \"rigid\"? (allowed: none, rigid, "
-            "traditional, projection, traditional-subiterated, anti-traditional)");
+            "traditional, projection, traditional-subiterated, anti-traditional, reference-map)");
   EXPECT_EQ(error_of(plane_case, {"scheme=projection"}),
             "--set scheme=projection: scheme = \"projection\" needs an elastic solid in gas and the case has none: use "
             "rigid or traditional");

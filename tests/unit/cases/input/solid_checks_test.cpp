@@ -94,7 +94,7 @@ TEST(SolidChecks, InterfacesNeedAScheme) {
     EXPECT_EQ(error_with(disk, "scheme=" + scheme),
               "scheme = \"" + scheme +
                   "\" leaves the interface of solids.0 (circle_0) without a scheme: use projection, traditional, "
-                  "traditional-subiterated, anti-traditional");
+                  "traditional-subiterated, anti-traditional, reference-map");
   EXPECT_EQ(read_text(plate).scheme, "none");
   EXPECT_EQ(
       error_with(plate, "scheme=projection"),

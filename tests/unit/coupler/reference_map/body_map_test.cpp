@@ -106,9 +106,19 @@ TEST(BodyMap, RigidRotationIsOfSecondOrder) {
 }
 
 TEST(BodyMap, MemoryIsThatOfTheTilesNearTheBody) {
-  const Scene coarse(64, [](const Point<2>&) { return Point<2>::Zero(); });
-  EXPECT_EQ(coarse.map->field().tile(0).allocated(), false);  // the corner (−1, −1) is 0.7 away
-  EXPECT_LT(coarse.map->memory_bytes(), 16 * coarse.grid.shape.plane * 4 * sizeof(double));
+  const Scene scene(256, [](const Point<2>&) { return Point<2>::Zero(); });  // 16 tiles of half a unit
+  int held = 0;
+  for (int t = 0; t < scene.grid.forest.local_count(); ++t) {
+    const bool holds = scene.map->field().tile(t).allocated();
+    const Box<2> box = scene.grid.box(t);
+    const Point<2> nearest = Point<2>(0.1, 0).cwiseMax(box.low).cwiseMin(box.high);
+    const double reach = BodyMap::reach * scene.grid.spacing.x();
+    if ((nearest - Point<2>(0.1, 0)).norm() > 0.5 + 1.5 * reach) EXPECT_FALSE(holds) << t;
+    if ((nearest - Point<2>(0.1, 0)).norm() < 0.5) EXPECT_TRUE(holds) << t;
+    held += holds;
+  }
+  EXPECT_LE(held, 12);
+  EXPECT_EQ(scene.map->memory_bytes(), static_cast<std::size_t>(held) * TileBlock(scene.grid.shape.plane, BodyMap::components).bytes());
 }
 
 TEST(LevelSet, IsTheDistance) {

@@ -1,0 +1,116 @@
+#include "mortise/cases/scene/flow_scene.hpp"
+
+#include <Eigen/Geometry>
+
+#include "mortise/cases/exact/elastic_cases.hpp"
+#include "mortise/cases/exact/initial_state.hpp"
+#include "mortise/cases/input/expression.hpp"
+#include "mortise/cases/scene/bodies.hpp"
+#include "mortise/cases/scene/mapped_solids.hpp"
+#include "mortise/cases/scene/scene.hpp"
+#include "mortise/cases/scene/solid_state.hpp"
+#include "mortise/grids/core/error.hpp"
+#include "mortise/grids/core/registry.hpp"
+
+namespace mortise {
+namespace {
+
+constexpr int preferred_tile = 64;
+
+SideKind side_kind(const std::string& key) {
+  static const Registry<SideKind> kinds("boundary", {{"periodic", SideKind::periodic},
+                                                     {"wall", SideKind::wall},
+                                                     {"slip_wall", SideKind::slip_wall},
+                                                     {"inflow", SideKind::inflow},
+                                                     {"outflow", SideKind::outflow}});
+  return kinds.at(key);
+}
+
+std::function<double(double)> function_of_time(const std::string& formula) {
+  if (formula.empty()) return {};
+  const auto expression = std::make_shared<Expression>(formula, std::vector<std::string>{"t"});
+  return [expression](double t) { return (*expression)(t); };
+}
+
+Anchor anchor_of(const AnchorDescription& from) {
+  Anchor anchor;
+  anchor.center = {from.center[0], from.center[1]};
+  anchor.radius = from.radius;
+  anchor.angle = function_of_time(from.angle);
+  const auto x = function_of_time(from.x), y = function_of_time(from.y);
+  if (x || y) anchor.shift = [x, y](double t) { return Point<2>(x ? x(t) : 0.0, y ? y(t) : 0.0); };
+  return anchor;
+}
+
+FlowBody body_of(const CaseDescription& description, const SolidDescription& from, double spacing) {
+  FlowBody body;
+  body.name = from.name;
+  body.density = from.material.density;
+  body.shear_modulus = from.material.mu;
+  const Pose<2> pose = pose_of(from);
+  body.level_set = level_set_of(description, from, spacing);
+  const SolidFunction initial = solid_function(from, material_of(from), nullptr);
+  if (from.initial.kind == "formula") body.reference = [initial](const Point<2>& x) { return reference_point(initial, x); };
+  if (!from.actuation.empty()) {
+    const auto stretch = std::make_shared<Expression>(from.actuation, std::vector<std::string>{"x", "y", "t"});
+    const Eigen::Rotation2Dd back(-pose.angle);
+    body.actuation = [stretch, back, center = pose.position](const Point<2>& X, double t) {
+      const Point<2> place = back * (X - center);
+      return (*stretch)(place.x(), place.y(), t);
+    };
+    body.axis = pose.angle;
+  }
+  for (const AnchorDescription& anchor : from.anchors) body.anchors.push_back(anchor_of(anchor));
+  return body;
+}
+
+}  // namespace
+
+FlowScene build_flow_scene(const CaseDescription& description) {
+  FlowScene scene;
+  IncompressibleSetup& flow = scene.flow;
+  for (std::size_t d = 0; d < 2; ++d) {
+    const int k = static_cast<int>(d);
+    flow.domain.low[k] = description.domain_low[d];
+    flow.domain.high[k] = description.domain_high[d];
+    flow.gravity[k] = description.gravity[d];
+    const int wanted = static_cast<int>(std::lround((flow.domain.high[k] - flow.domain.low[k]) / description.spacing()));
+    const int tile = description.tile[d];
+    const Tiling tiling = tile > 0 ? Tiling{(wanted + tile - 1) / tile * tile, tile} : choose_tiling(wanted, preferred_tile);
+    flow.cells[d] = tiling.cells;
+    flow.tile[d] = tiling.tile;
+  }
+  const double spacing = (flow.domain.high - flow.domain.low).cwiseQuotient(Point<2>(flow.cells[0], flow.cells[1])).minCoeff();
+  const std::string* sides[] = {&description.left, &description.right, &description.bottom, &description.top};
+  const Point<2> stream(description.inflow[1], description.inflow[2]);
+  for (std::size_t s = 0; s < 4; ++s) {
+    flow.sides[s].kind = side_kind(*sides[s]);
+    if (flow.sides[s].kind == SideKind::inflow) flow.sides[s].velocity = [stream](const Point<2>&) { return stream; };
+    scene.solids.walls[s] = flow.sides[s].kind == SideKind::wall || flow.sides[s].kind == SideKind::slip_wall;
+  }
+  flow.density = description.fluid_density;
+  flow.viscosity = description.fluid_viscosity;
+  flow.cfl = 0.5 * description.cfl;  // two directions
+  flow.pressure_solver = description.pressure_solver;
+  const auto initial = std::make_shared<InitialState<2>>(description);
+  const std::vector<SolidDescription>& solids = description.solids;
+  std::vector<std::pair<std::shared_ptr<const LevelSet>, SolidFunction>> moving;  // solids with a velocity of their own
+  for (const SolidDescription& solid : solids) {
+    scene.solids.bodies.push_back(body_of(description, solid, spacing));
+    if (solid.velocity != std::array<double, 2>{} || solid.angular_velocity != 0)
+      moving.emplace_back(scene.solids.bodies.back().level_set, solid_function(solid, material_of(solid), nullptr));
+  }
+  flow.velocity = [initial, moving](const Point<2>& x) -> Point<2> {
+    for (const auto& [level_set, state] : moving)
+      if ((*level_set)(x.x(), x.y()) < 0) return state(x, 0).velocity;
+    const Primitive<2> W = (*initial)(x);
+    return {W.velocity[0], W.velocity[1]};
+  };
+  scene.solids.blur = description.coupling.blur;
+  scene.solids.fluid_density = description.fluid_density;
+  scene.solids.fluid_viscosity = description.fluid_viscosity;
+  check(flow);
+  return scene;
+}
+
+}  // namespace mortise
