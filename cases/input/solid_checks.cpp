@@ -262,7 +262,7 @@ void check_solids(const Node& root, const CaseDescription& c) {
   check_layer(root, c);
   check_pictures(root, c);
   check_shared_interfaces(root, c);
-  if (c.has_gas && !c.solids.empty() && c.initial.kind != "uniform" && c.initial.kind != "shock" &&
+  if (c.has_gas && !c.incompressible() && !c.solids.empty() && c.initial.kind != "uniform" && c.initial.kind != "shock" &&
       c.initial.kind != "exact" && !root.find("coupling.reference_pressure"))
     reject(root, "coupling",
            "the key \"coupling.reference_pressure\" is missing: the pressure at which the solid is undeformed");

@@ -44,10 +44,10 @@ FlowSolids::FlowSolids(FlowSolidsSetup setup, const ComponentGrid<2>& grid)
     if (!map.initial) map.initial = [](const Point<2>& x) { return x; };
     maps_.push_back(std::make_unique<BodyMap>(std::move(map), grid));
   }
-  // Shear waves on a compact stencil in two directions, in the lightest of the blend; stretched material is as fast along the stretch.
+  // Shear waves on a compact stencil in two directions. s G/(ρ_f + s (ρ_s − ρ_f)) is largest where s = 1.
   const double h = grid.spacing.minCoeff();
   for (const FlowBody& body : setup_.bodies)
-    fastest_ = std::max(fastest_, std::sqrt(2 * body.shear_modulus / std::min(body.density, setup_.fluid_density)) / h);
+    fastest_ = std::max(fastest_, std::sqrt(2 * body.shear_modulus / body.density) / h);
 }
 
 double FlowSolids::rate() const { return fastest_; }

@@ -21,7 +21,7 @@ struct IncompressibleSetup {
   double viscous_fraction = 0.9;        // fraction of the viscous limit, in (0, 1]
   FlowSlopes slopes = FlowSlopes::limited;
   std::string pressure_solver = "transform";  // key, see pressure_solver_keys()
-  double tolerance = 1e-10;                   // of iterative pressure solvers, see PressureProblem
+  double tolerance = 1e-7;                   // of iterative pressure solvers, see PressureProblem
   std::function<Point<2>(const Point<2>& place)> velocity{};  // at t = 0; empty: at rest
 };
 
