@@ -77,11 +77,11 @@ class IncompressibleSolver {
   void predict(double dt);
   void project_edges();
   void carry_solids(double dt);
-  void fill_forces(const Field<2>& velocity);
   void advance_star(double dt);
   void find_pressure(double dt, bool inflow);
   void project_velocity(double dt);
   void complete_fields();
+  void find_largest();
   void prepare_stress(const Field<2>& velocity);
   ForceTile force_tile(int tile, const Field<2>& velocity) const;
   ProjectionTile projection_tile(int tile) const;
