@@ -42,6 +42,8 @@ FlowGrid::FlowGrid(const IncompressibleSetup& setup, const Communicator& comm) :
   for (const int components : {1, 2, 4})
     exchange_[static_cast<std::size_t>(components)] =
         std::make_unique<GhostExchange<2>>(grid_.forest, grid_.shape, components);
+  for (const int components : {1, 2})
+    point_exchange_[static_cast<std::size_t>(components)] = std::make_unique<PointExchange>(grid_, components);
 }
 
 void FlowGrid::list_sides(const IncompressibleSetup& setup) {
@@ -69,6 +71,10 @@ void FlowGrid::exchange(Field<2>& field) const {
   static constexpr std::array<double, 4> filler{};
   const auto n = static_cast<std::size_t>(field.components());
   exchange_[n]->fill(field, std::span(filler).first(n));
+}
+
+void FlowGrid::exchange_points(Field<2>& field) const {
+  point_exchange_[static_cast<std::size_t>(field.components())]->fill(field);
 }
 
 SideWalk walk_of(const TileShape<2>& shape, std::size_t side) {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
+#include "mortise/coupler/reference_map/point_exchange.hpp"
 #include "mortise/grids/core/error.hpp"
-#include "mortise/grids/forest/ghost_exchange.hpp"
 
 namespace mortise {
 namespace {
@@ -57,7 +57,7 @@ class HypreSolver : public PressureSolver {
     constant_ = density == nullptr;
     if (!(constant_ && was_constant)) set_matrix(density);
     put(right, b_, problem_.singular() ? mean(right) : 0);
-    put(pressure, x_, 0);
+    put(pressure, x_, problem_.singular() ? fixed_value(pressure) : 0);
     if (!(constant_ && was_constant)) make_solver();
     HYPRE_StructPCGSolve(solver_, matrix_, b_, x_);
     HYPRE_Int iterations = 0;
@@ -101,28 +101,37 @@ class HypreSolver : public PressureSolver {
       for (int i = 0; i <= box[1][0] - box[0][0]; ++i) visit(i, j);
   }
 
+  /// The point (grid-wide, periodic directions wrap) is a Dirichlet node, or the one that is held at 0 where the pressure is
+  /// known up to a constant: its equation follows from the others.
+  bool fixed(int i, int j) const {
+    const auto wrap = [&](int k, std::size_t d) { return grid().periodic[d] ? (k + grid().cells[d]) % grid().cells[d] : k; };
+    if (problem_.singular()) return wrap(i, 0) == 0 && wrap(j, 1) == 0;
+    const auto at = [&](std::size_t side, int k, int place) {
+      return nodes() && problem_.ends[side] == PressureEnd::dirichlet && k == place;
+    };
+    return at(0, i, 0) || at(1, i, grid().cells[0]) || at(2, j, 0) || at(3, j, grid().cells[1]);
+  }
+
   /// Matrix row of cell (i, j) of a tile whose first cell is `first`.
   void cell_row(const Index<2>& first, const double* density, int i, int j, double* row) const {
     const double aspect = grid().spacing[1] / grid().spacing[0];
     const auto rho = [&](int k, int l) { return density ? density[shape().at(k, l)] : 1.0; };
     const Index<2> c{first[0] + i, first[1] + j};
+    std::fill_n(row, 5, 0.0);
+    if (fixed(c[0], c[1])) {
+      row[0] = 1;
+      return;
+    }
     double sum = 0;
     for (std::size_t k = 1; k < 5; ++k) {
       const std::size_t side = k - 1, d = side / 2;
       const double scale = d == 0 ? aspect : 1 / aspect;
       const bool at_end = !grid().periodic[d] && c[d] == (side % 2 == 0 ? 0 : grid().cells[d] - 1);
       const double weight = scale * 2 / (rho(i, j) + (at_end ? rho(i, j) : rho(i + offsets[k][0], j + offsets[k][1])));
-      row[k] = at_end ? 0 : -weight;
+      row[k] = at_end || fixed(c[0] + offsets[k][0], c[1] + offsets[k][1]) ? 0 : -weight;
       sum += !at_end ? weight : problem_.ends[side] == PressureEnd::dirichlet ? 2 * weight : 0;
     }
     row[0] = sum;
-  }
-
-  bool fixed(int i, int j) const {
-    const auto at = [&](std::size_t side, int k, int place) {
-      return problem_.ends[side] == PressureEnd::dirichlet && k == place;
-    };
-    return at(0, i, 0) || at(1, i, grid().cells[0]) || at(2, j, 0) || at(3, j, grid().cells[1]);
   }
 
   /// Matrix row of node (i, j): four cells around it, those beyond a side have no share. Fixed nodes stand alone.
@@ -188,13 +197,21 @@ class HypreSolver : public PressureSolver {
     return all.sum / static_cast<double>(all.count);
   }
 
+  /// Value at the first point of the grid, which is held at 0.
+  double fixed_value(const Field<2>& field) const {
+    const Neighbor first = grid().forest.find({0, 0});
+    const bool here = first.rank == grid().forest.communicator().rank();
+    const double value = here ? field.tile(first.local).component(0)[shape().at(0, 0)] : -1e300;
+    return grid().forest.communicator().max(value);
+  }
+
   void put(const Field<2>& field, HYPRE_StructVector vector, double less) {
     for (std::size_t t = 0; t < boxes_.size(); ++t) {
       const Index<2> first = grid().first_cell(static_cast<int>(t));
       const double* const p = field.tile(static_cast<int>(t)).component(0);
       values_.clear();
       for_each_point(static_cast<int>(t), [&](int i, int j) {
-        values_.push_back(nodes() && fixed(first[0] + i, first[1] + j) ? 0 : p[shape().at(i, j)] - less);
+        values_.push_back(fixed(first[0] + i, first[1] + j) ? 0 : p[shape().at(i, j)] - less);
       });
       HYPRE_StructVectorSetBoxValues(vector, boxes_[t][0].data(), boxes_[t][1].data(), values_.data());
     }
@@ -215,8 +232,7 @@ class HypreSolver : public PressureSolver {
       double* const p = field.tile(static_cast<int>(t)).component(0);
       for_each_point(static_cast<int>(t), [&](int i, int j) { p[shape().at(i, j)] -= less; });
     }
-    static constexpr double filler = 0;
-    exchange_.fill(field, {&filler, 1});
+    exchange_.fill(field);
   }
 
   void make_solver() {
@@ -242,7 +258,7 @@ class HypreSolver : public PressureSolver {
 
   PressureProblem problem_;
   MPI_Comm comm_;
-  GhostExchange<2> exchange_{problem_.grid->forest, problem_.grid->shape, 1};
+  PointExchange exchange_{*problem_.grid, 1};
   std::vector<Box> boxes_;
   std::vector<double> values_;
   bool constant_ = false;  // the matrix is that of density 1

@@ -127,7 +127,8 @@ void IncompressibleSolver::carry_solids(double dt) {
 /// Ghosts of the solids' fields, and the largest kinematic viscosity.
 void IncompressibleSolver::complete_fields() {
   flow_.fill_even(fields_->density);
-  for (Field<2>* field : {&fields_->viscosity, &fields_->stress_x, &fields_->stress_y, &fields_->force}) flow_.exchange(*field);
+  flow_.exchange(fields_->force);
+  for (Field<2>* field : {&fields_->viscosity, &fields_->stress_x, &fields_->stress_y}) flow_.exchange_points(*field);
   double viscosity = 0, density = std::numeric_limits<double>::infinity();
   const TileShape<2>& shape = flow_.shape();
   for (int t = 0; t < flow_.tiles(); ++t)

@@ -66,7 +66,7 @@ void IncompressibleSolver::restore(double time, const std::vector<std::vector<do
     for_each_value(flow_.shape(), velocity_.tile(t), pressure_.tile(t), correction_.tile(t), [&](double& value) { value = *next++; });
   }
   time_ = time;
-  flow_.exchange(pressure_);
+  flow_.exchange_points(pressure_);
   flow_.exchange(correction_);
   flow_.fill_velocity(velocity_);
   find_largest();
