@@ -18,7 +18,8 @@ using Box = std::array<std::array<HYPRE_Int, 2>, 2>;  // lowest, highest index
 /// One box per tile; a matrix row per point: itself, then its neighbours in the order of `offsets`.
 class HypreSolver : public PressureSolver {
  public:
-  explicit HypreSolver(const PressureProblem& problem) : problem_(problem), comm_(problem.grid->forest.communicator().raw()) {
+  explicit HypreSolver(const PressureProblem& problem)
+      : problem_(problem), comm_(problem.grid->forest.communicator().raw()) {
     static const HYPRE_Int started = HYPRE_Init();
     (void)started;
     list_boxes();
@@ -66,7 +67,8 @@ class HypreSolver : public PressureSolver {
     HYPRE_StructPCGGetFinalRelativeResidualNorm(solver_, &left);
     HYPRE_ClearAllErrors();
     if (!(left <= problem_.tolerance || iterations == 0))
-      throw NumericalError("the pressure did not converge in " + std::to_string(most_iterations) + " iterations of multigrid");
+      throw NumericalError("the pressure did not converge in " + std::to_string(most_iterations) +
+                           " iterations of multigrid");
     take(pressure);
     return static_cast<int>(iterations);
   }
@@ -101,10 +103,12 @@ class HypreSolver : public PressureSolver {
       for (int i = 0; i <= box[1][0] - box[0][0]; ++i) visit(i, j);
   }
 
-  /// The point (grid-wide, periodic directions wrap) is a Dirichlet node, or the one that is held at 0 where the pressure is
-  /// known up to a constant: its equation follows from the others.
+  /// The point (grid-wide, periodic directions wrap) is a Dirichlet node, or the one that is held at 0 where the
+  /// pressure is known up to a constant: its equation follows from the others.
   bool fixed(int i, int j) const {
-    const auto wrap = [&](int k, std::size_t d) { return grid().periodic[d] ? (k + grid().cells[d]) % grid().cells[d] : k; };
+    const auto wrap = [&](int k, std::size_t d) {
+      return grid().periodic[d] ? (k + grid().cells[d]) % grid().cells[d] : k;
+    };
     if (problem_.singular()) return wrap(i, 0) == 0 && wrap(j, 1) == 0;
     const auto at = [&](std::size_t side, int k, int place) {
       return nodes() && problem_.ends[side] == PressureEnd::dirichlet && k == place;
@@ -174,7 +178,8 @@ class HypreSolver : public PressureSolver {
           cell_row(first, rho, i, j, row.data());
         values_.insert(values_.end(), row.begin(), row.begin() + entries());
       });
-      HYPRE_StructMatrixSetBoxValues(matrix_, boxes_[t][0].data(), boxes_[t][1].data(), entries(), numbers.data(), values_.data());
+      HYPRE_StructMatrixSetBoxValues(matrix_, boxes_[t][0].data(), boxes_[t][1].data(), entries(), numbers.data(),
+                                     values_.data());
     }
     HYPRE_StructMatrixAssemble(matrix_);
   }
@@ -193,7 +198,8 @@ class HypreSolver : public PressureSolver {
       mine.push_back(tile);
     }
     TileSum all{0, 0};
-    for (const TileSum& tile : grid().forest.communicator().gather_all(mine)) all.sum += tile.sum, all.count += tile.count;
+    for (const TileSum& tile : grid().forest.communicator().gather_all(mine))
+      all.sum += tile.sum, all.count += tile.count;
     return all.sum / static_cast<double>(all.count);
   }
 

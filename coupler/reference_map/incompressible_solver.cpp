@@ -41,8 +41,10 @@ IncompressibleSolver::IncompressibleSolver(const IncompressibleSetup& setup, con
       correction_(flow_.shape(), 1, flow_.tiles()),
       edge_right_(flow_.shape(), 1, flow_.tiles()),
       edges_{Field<2>(flow_.shape(), 2, flow_.tiles()), Field<2>(flow_.shape(), 2, flow_.tiles())},
-      edge_solver_(make_pressure_solver(setup.pressure_solver, problem_of(flow_, PressurePlace::cells, setup.tolerance))),
-      node_solver_(make_pressure_solver(setup.pressure_solver, problem_of(flow_, PressurePlace::nodes, setup.tolerance))) {
+      edge_solver_(
+          make_pressure_solver(setup.pressure_solver, problem_of(flow_, PressurePlace::cells, setup.tolerance))),
+      node_solver_(
+          make_pressure_solver(setup.pressure_solver, problem_of(flow_, PressurePlace::nodes, setup.tolerance))) {
   largest_viscosity_ = setup.viscosity / setup.density;
   for (int t = 0; t < flow_.tiles(); ++t)
     for (std::size_t s = 0; s < 4; ++s)
@@ -62,8 +64,13 @@ IncompressibleSolver::IncompressibleSolver(const IncompressibleSetup& setup, con
 }
 
 ForceTile IncompressibleSolver::force_tile(int tile, const Field<2>& velocity) const {
-  ForceTile forces{&flow_.shape(), flow_.spacing(), setup_.gravity, 1 / setup_.density, setup_.viscosity,
-                   velocity.tile(tile).component(0), pressure_.tile(tile).component(0)};
+  ForceTile forces{&flow_.shape(),
+                   flow_.spacing(),
+                   setup_.gravity,
+                   1 / setup_.density,
+                   setup_.viscosity,
+                   velocity.tile(tile).component(0),
+                   pressure_.tile(tile).component(0)};
   if (fields_) {
     forces.density = fields_->density.tile(tile).component(0);
     forces.stress_x = stress_x_->tile(tile).component(0);
@@ -74,7 +81,8 @@ ForceTile IncompressibleSolver::force_tile(int tile, const Field<2>& velocity) c
 }
 
 ProjectionTile IncompressibleSolver::projection_tile(int tile) const {
-  return {&flow_.shape(), flow_.spacing(), fields_ ? fields_->density.tile(tile).component(0) : nullptr, setup_.density};
+  return {&flow_.shape(), flow_.spacing(), fields_ ? fields_->density.tile(tile).component(0) : nullptr,
+          setup_.density};
 }
 
 /// With solids: the whole stress of the given velocity, whose ghosts are filled.
@@ -82,8 +90,8 @@ void IncompressibleSolver::prepare_stress(const Field<2>& velocity) {
   if (!fields_) return;
   for (int t = 0; t < flow_.tiles(); ++t)
     fill_stress(flow_.shape(), flow_.spacing(), velocity.tile(t).component(0), fields_->viscosity.tile(t).component(0),
-                fields_->stress_x.tile(t).component(0), fields_->stress_y.tile(t).component(0), stress_x_->tile(t).component(0),
-                stress_y_->tile(t).component(0));
+                fields_->stress_x.tile(t).component(0), fields_->stress_y.tile(t).component(0),
+                stress_x_->tile(t).component(0), stress_y_->tile(t).component(0));
 }
 
 /// 1. Edge velocities at t + dt/2.
@@ -95,8 +103,12 @@ void IncompressibleSolver::predict(double dt) {
   prepare_stress(velocity_);
   for (int t = 0; t < flow_.tiles(); ++t) {
     fill_acceleration(force_tile(t, velocity_), acceleration_.tile(t).component(0));
-    EdgeTile tile{&flow_.shape(), velocity_.tile(t).component(0), slopes_.tile(t).component(0),
-                  acceleration_.tile(t).component(0), edges_.x.tile(t).component(0), edges_.y.tile(t).component(0)};
+    EdgeTile tile{&flow_.shape(),
+                  velocity_.tile(t).component(0),
+                  slopes_.tile(t).component(0),
+                  acceleration_.tile(t).component(0),
+                  edges_.x.tile(t).component(0),
+                  edges_.y.tile(t).component(0)};
     for (std::size_t s = 0; s < 4; ++s)
       tile.sides[s] = {flow_.at_side(t, s), flow_.kind(s), {flow_.given(t, s, 0), flow_.given(t, s, 1)}};
     predict_edges(tile, dt, {dt / flow_.spacing()[0], dt / flow_.spacing()[1]});
@@ -192,7 +204,8 @@ void IncompressibleSolver::initialize() {
   for (int t = 0; t < flow_.tiles(); ++t)
     for_each_cell<2>(shape, 0, [&](const Index<2>& c) {
       const Index<2> first = grid().first_cell(t);
-      const Point<2> v = setup_.velocity ? setup_.velocity(grid().center({first[0] + c[0], first[1] + c[1]})) : Point<2>(0, 0);
+      const Point<2> v =
+          setup_.velocity ? setup_.velocity(grid().center({first[0] + c[0], first[1] + c[1]})) : Point<2>(0, 0);
       for (int k = 0; k < 2; ++k) star_.tile(t).component(k)[shape.at(c)] = v[k];
     });
   if (solids_) {

@@ -56,14 +56,16 @@ std::vector<double> IncompressibleSolver::state(int tile) const {
 }
 
 void IncompressibleSolver::restore(double time, const std::vector<std::vector<double>>& states) {
-  const auto nx = static_cast<std::size_t>(flow_.shape().cells[0]), ny = static_cast<std::size_t>(flow_.shape().cells[1]);
+  const auto nx = static_cast<std::size_t>(flow_.shape().cells[0]),
+             ny = static_cast<std::size_t>(flow_.shape().cells[1]);
   const std::size_t expected = 3 * nx * ny + (nx + 1) * (ny + 1);
   bool fits = states.size() == static_cast<std::size_t>(flow_.tiles());
   for (const auto& values : states) fits = fits && values.size() == expected;
   if (!fits) throw InputError("the state to continue from is that of another grid of the flow");
   for (int t = 0; t < flow_.tiles(); ++t) {
     const double* next = states[static_cast<std::size_t>(t)].data();
-    for_each_value(flow_.shape(), velocity_.tile(t), pressure_.tile(t), correction_.tile(t), [&](double& value) { value = *next++; });
+    for_each_value(flow_.shape(), velocity_.tile(t), pressure_.tile(t), correction_.tile(t),
+                   [&](double& value) { value = *next++; });
   }
   time_ = time;
   flow_.exchange_points(pressure_);

@@ -12,8 +12,8 @@ constexpr std::array<double, 4> filler{};
 
 PointExchange::PointExchange(const ComponentGrid<2>& grid, int components)
     : grid_(&grid), exchange_(grid.forest, grid.shape, components) {
-  const bool needed = (!grid.periodic[0] && grid.forest.tiles()[1] > 1) || (!grid.periodic[1] && grid.forest.tiles()[0] > 1) ||
-                      grid.periodic[0] != grid.periodic[1];
+  const bool needed = (!grid.periodic[0] && grid.forest.tiles()[1] > 1) ||
+                      (!grid.periodic[1] && grid.forest.tiles()[0] > 1) || grid.periodic[0] != grid.periodic[1];
   if (needed) last_ = std::make_unique<Field<2>>(grid.shape, components, grid.forest.local_count());
 }
 

@@ -12,7 +12,8 @@ namespace {
 using Maker = std::unique_ptr<PressureSolver> (*)(const PressureProblem&);
 
 const Registry<Maker>& solvers() {
-  static const Registry<Maker> registry("pressure solver", {{"transform", make_transform_solver}, {"hypre", make_hypre_solver}});
+  static const Registry<Maker> registry("pressure solver",
+                                        {{"transform", make_transform_solver}, {"hypre", make_hypre_solver}});
   return registry;
 }
 

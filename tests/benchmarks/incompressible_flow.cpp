@@ -1,5 +1,6 @@
-// Cell steps per second of the incompressible flow, whole steps on one core. Arguments: cells along a side, pressure solver
-// (number in pressure_solver_keys()), density ratio of a disk (1: no disk and no density field), walls (0: periodic).
+// Cell steps per second of the incompressible flow, whole steps on one core. Arguments: cells along a side, pressure
+// solver (number in pressure_solver_keys()), density ratio of a disk (1: no disk and no density field), walls (0:
+// periodic).
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -56,7 +57,10 @@ void incompressible_flow(benchmark::State& state) {
   state.counters["edge_iterations"] = static_cast<double>(after.edge_iterations - before.edge_iterations) / steps;
   state.counters["node_iterations"] = static_cast<double>(after.node_iterations - before.node_iterations) / steps;
 }
-BENCHMARK(incompressible_flow)->ArgsProduct({{128}, {0, 1}, {1, 3}, {0, 1}})->Args({256, 0, 1, 0})->Unit(benchmark::kMicrosecond);
+BENCHMARK(incompressible_flow)
+    ->ArgsProduct({{128}, {0, 1}, {1, 3}, {0, 1}})
+    ->Args({256, 0, 1, 0})
+    ->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace mortise

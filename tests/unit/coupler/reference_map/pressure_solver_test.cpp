@@ -27,7 +27,8 @@ constexpr std::array<Ends, 7> all_ends{{{periodic, periodic, periodic, periodic}
 
 /// Oblong cells, several tiles.
 ComponentGrid<2> make_grid(const Ends& ends) {
-  ComponentGrid<2> grid("grid", Communicator(), {24, 16}, {ends[0] == periodic, ends[2] == periodic}, TileShape<2>({8, 8}));
+  ComponentGrid<2> grid("grid", Communicator(), {24, 16}, {ends[0] == periodic, ends[2] == periodic},
+                        TileShape<2>({8, 8}));
   grid.spacing = Point<2>(1.0 / 24, 1.5 / 16);
   return grid;
 }
@@ -60,13 +61,15 @@ struct Known {
     b.resize(count + VariableOperator::slack);
     matrix.apply(padded.data(), b.data());
   }
-  static double density(int i, int j, double ratio) { return ratio == 1 ? 1 : std::hypot(i - 11.0, j - 7.0) < 5 ? ratio : 1; }
+  static double density(int i, int j, double ratio) {
+    return ratio == 1 ? 1 : std::hypot(i - 11.0, j - 7.0) < 5 ? ratio : 1;
+  }
   std::size_t index(int i, int j) const { return static_cast<std::size_t>(j * points[0] + i); }
   bool fixed(int i, int j) const {
     if (problem.place == PressurePlace::cells) return false;
     const Ends& e = problem.ends;
-    return (e[0] == dirichlet && i == 0) || (e[1] == dirichlet && i == points[0] - 1) || (e[2] == dirichlet && j == 0) ||
-           (e[3] == dirichlet && j == points[1] - 1);
+    return (e[0] == dirichlet && i == 0) || (e[1] == dirichlet && i == points[0] - 1) ||
+           (e[2] == dirichlet && j == 0) || (e[3] == dirichlet && j == points[1] - 1);
   }
   PressureProblem problem;
   Index<2> points;
@@ -76,14 +79,15 @@ struct Known {
 /// Largest difference of `solver`'s answer from the known values, up to a constant where the problem is singular.
 double error_of(const std::string& solver, const ComponentGrid<2>& grid, const Known& known, double ratio) {
   Field<2> right(grid.shape, 1, grid.forest.local_count()), p = Field<2>(grid.shape, 1, grid.forest.local_count()),
-           rho = Field<2>(grid.shape, 1, grid.forest.local_count());
+                                                            rho = Field<2>(grid.shape, 1, grid.forest.local_count());
   const int more = known.problem.place == PressurePlace::nodes ? 1 : 0;
   for (int t = 0; t < grid.forest.local_count(); ++t) {
     const Index<2> first = grid.first_cell(t);
     for_each_cell<2>(grid.shape, 2, [&](const Index<2>& c) {
       const int i = first[0] + c[0], j = first[1] + c[1];
       const auto wrap = [](int k, int n) { return (k + n) % n; };
-      rho.tile(t).component(0)[grid.shape.at(c)] = Known::density(wrap(i, grid.cells[0]), wrap(j, grid.cells[1]), ratio);
+      rho.tile(t).component(0)[grid.shape.at(c)] =
+          Known::density(wrap(i, grid.cells[0]), wrap(j, grid.cells[1]), ratio);
       if (c[0] < 0 || c[1] < 0 || c[0] >= grid.shape.cells[0] + more || c[1] >= grid.shape.cells[1] + more) return;
       right.tile(t).component(0)[grid.shape.at(c)] = known.b[known.index(i % known.points[0], j % known.points[1])];
     });
@@ -94,7 +98,8 @@ double error_of(const std::string& solver, const ComponentGrid<2>& grid, const K
   for (int t = 0; t < grid.forest.local_count(); ++t)
     for_each_cell<2>(grid.shape, 0, [&](const Index<2>& c) {
       const Index<2> first = grid.first_cell(t);
-      const double difference = p.tile(t).component(0)[grid.shape.at(c)] - known.p[known.index(first[0] + c[0], first[1] + c[1])];
+      const double difference =
+          p.tile(t).component(0)[grid.shape.at(c)] - known.p[known.index(first[0] + c[0], first[1] + c[1])];
       low = std::min(low, difference), high = std::max(high, difference);
     });
   return known.problem.singular() ? high - low : std::max(std::abs(low), std::abs(high));
@@ -123,7 +128,9 @@ TEST(PressureSolver, ModesBetweenWallsTendToThoseOfTheLaplacian) {
       const double shift = place == PressurePlace::nodes ? 0 : 0.5;
       FastTransform transform({&grid, place, {neumann, neumann, neumann, neumann}, 1e-10}, {m, m});
       std::vector<double> b(static_cast<std::size_t>(m * m)), p(b.size());
-      const auto mode = [&](int i, int j) { return std::cos(2 * std::numbers::pi * (i + shift) / n) * std::cos(std::numbers::pi * (j + shift) / n); };
+      const auto mode = [&](int i, int j) {
+        return std::cos(2 * std::numbers::pi * (i + shift) / n) * std::cos(std::numbers::pi * (j + shift) / n);
+      };
       const auto share = [&](int i) { return place == PressurePlace::nodes && (i == 0 || i == n) ? 0.5 : 1.0; };
       for (int j = 0; j < m; ++j)
         for (int i = 0; i < m; ++i)
@@ -132,9 +139,12 @@ TEST(PressureSolver, ModesBetweenWallsTendToThoseOfTheLaplacian) {
       transform.solve(b.data(), p.data());
       double error = 0;
       for (int j = 0; j < m; ++j)
-        for (int i = 0; i < m; ++i) error = std::max(error, std::abs(p[static_cast<std::size_t>(j * m + i)] - mode(i, j)));
+        for (int i = 0; i < m; ++i)
+          error = std::max(error, std::abs(p[static_cast<std::size_t>(j * m + i)] - mode(i, j)));
       EXPECT_LT(error, 4.0 / n / n * 5);
-      if (before > 0) EXPECT_GT(std::log2(before / error), 1.95);
+      if (before > 0) {
+        EXPECT_GT(std::log2(before / error), 1.95);
+      }
       before = error;
     }
   }
