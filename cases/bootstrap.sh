@@ -8,7 +8,7 @@ mortise_build=$mortise_root/build/release
 mortise_packages=(
   g++ cmake ninja-build pkg-config git libopenmpi-dev openmpi-bin libp4est-dev libcgal-dev libhdf5-openmpi-dev
   libeigen3-dev libtomlplusplus-dev libcli11-dev libpng-dev nlohmann-json3-dev libmuparser-dev
-  libfftw3-dev
+  libfftw3-dev libhypre-dev
   libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev python3-matplotlib
 )
 
@@ -31,7 +31,7 @@ mortise_missing_tools() {
     command -v "$tool" >/dev/null || printf 'program %s\n' "$tool"
   done
   command -v g++ >/dev/null || return 0
-  for header in p4est.h CGAL/version.h toml++/toml.h CLI/CLI.hpp png.h nlohmann/json.hpp muParser.h fftw3.h \
+  for header in p4est.h CGAL/version.h toml++/toml.h CLI/CLI.hpp png.h nlohmann/json.hpp muParser.h fftw3.h hypre/HYPRE_struct_ls.h \
     gtest/gtest.h gmock/gmock.h rapidcheck.h benchmark/benchmark.h; do
     printf '#if !__has_include(<%s>)\nheader %s\n#endif\n' "$header" "$header"
   done | g++ -E -P -x c++ - | grep '^header' || true

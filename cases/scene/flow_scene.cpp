@@ -92,6 +92,7 @@ FlowScene build_flow_scene(const CaseDescription& description) {
   flow.viscosity = description.fluid_viscosity;
   flow.cfl = 0.5 * description.cfl;  // two directions
   flow.pressure_solver = description.pressure_solver;
+  flow.tolerance = 1e-6;
   const auto initial = std::make_shared<InitialState<2>>(description);
   const std::vector<SolidDescription>& solids = description.solids;
   std::vector<std::pair<std::shared_ptr<const LevelSet>, SolidFunction>> moving;  // solids with a velocity of their own

@@ -78,8 +78,7 @@ void BodyMap::classify(TileBlock& block) const {
         return;
       }
     }
-    layer = unknown;
-    phi = nothing[2];
+    for (int n = 0; n < components; ++n) block.component(n)[k] = nothing[static_cast<std::size_t>(n)];
   });
 }
 

@@ -8,8 +8,10 @@ namespace {
 
 template <class T>
 MORTISE_INLINE T get(const double* p) {
-  if constexpr (lanes<T> == 1) return *p;
-  else return load(p);
+  if constexpr (lanes<T> == 1)
+    return *p;
+  else
+    return load(p);
 }
 
 /// The state at an edge of the domain; `inside` is that of the cell there, n the component along the normal.
@@ -66,12 +68,14 @@ class EdgeKernel {
   template <class T>
   MORTISE_INLINE EdgeState<T> hat_north(std::ptrdiff_t o) const {
     const T u = get<T>(tile_.velocity + o), v = get<T>(tile_.velocity + plane_ + o), C = cy_ * v;
-    return {ahead<T>(v, get<T>(tile_.slopes + 3 * plane_ + o), C), ahead<T>(u, get<T>(tile_.slopes + 2 * plane_ + o), C)};
+    return {ahead<T>(v, get<T>(tile_.slopes + 3 * plane_ + o), C),
+            ahead<T>(u, get<T>(tile_.slopes + 2 * plane_ + o), C)};
   }
   template <class T>
   MORTISE_INLINE EdgeState<T> hat_south(std::ptrdiff_t o) const {
     const T u = get<T>(tile_.velocity + o), v = get<T>(tile_.velocity + plane_ + o), C = cy_ * v;
-    return {behind<T>(v, get<T>(tile_.slopes + 3 * plane_ + o), C), behind<T>(u, get<T>(tile_.slopes + 2 * plane_ + o), C)};
+    return {behind<T>(v, get<T>(tile_.slopes + 3 * plane_ + o), C),
+            behind<T>(u, get<T>(tile_.slopes + 2 * plane_ + o), C)};
   }
 
   // The loops take a copy of the kernel, so that the stores to the rows cannot change it in the compiler's eyes.
@@ -123,7 +127,8 @@ class EdgeKernel {
       const Pack c = (0.25 * k.cy_) * (load(high + s + i) + load(low + s + i));
       const Pack du = load(k.tile_.slopes + o + i), dv = load(k.tile_.slopes + k.plane_ + o + i);
       const Pack gain_u = k.half_dt_ * load(k.tile_.acceleration + o + i) - c * (load(high + i) - load(low + i));
-      const Pack gain_v = k.half_dt_ * load(k.tile_.acceleration + k.plane_ + o + i) - c * (load(high + s + i) - load(low + s + i));
+      const Pack gain_v =
+          k.half_dt_ * load(k.tile_.acceleration + k.plane_ + o + i) - c * (load(high + s + i) - load(low + s + i));
       store(E + i, ahead<Pack>(u, du, C) + gain_u);
       store(E + s + i, ahead<Pack>(v, dv, C) + gain_v);
       store(W + i, behind<Pack>(u, du, C) + gain_u);
@@ -136,8 +141,7 @@ class EdgeKernel {
     const double *const W = k.row(wests), *const E = k.row(easts);
     double *const u = k.tile_.x_edges + k.at(0, r), *const v = u + k.plane_;
     for (int i = row_start; i < k.nx_ + 2; i += simd_width) {
-      const EdgeState<Pack> e =
-          upwind<Pack>({load(E + i - 1), load(E + s + i - 1)}, {load(W + i), load(W + s + i)});
+      const EdgeState<Pack> e = upwind<Pack>({load(E + i - 1), load(E + s + i - 1)}, {load(W + i), load(W + s + i)});
       store(u + i, e.normal);
       store(v + i, e.tangential);
     }
@@ -182,7 +186,8 @@ class EdgeKernel {
     if (!low && !high) return;
     const double* const inner = low ? S : N;
     for (int i = 0; i < k.nx_; ++i) {
-      const EdgeState<double> e = at_boundary(k.tile_.sides[low ? south : north], 1, i, {inner[s + static_cast<std::size_t>(i)], inner[i]});
+      const EdgeState<double> e =
+          at_boundary(k.tile_.sides[low ? south : north], 1, i, {inner[s + static_cast<std::size_t>(i)], inner[i]});
       u[i] = e.tangential, v[i] = e.normal;
     }
   }

@@ -2,8 +2,8 @@
 //   1. "hat" states from the normal derivative alone (Taylor expansion from both sides, upwinded);
 //   2. their transverse differences ½(v̂_N + v̂_S)(q̂_N − q̂_S)/h give each cell's transverse advection;
 //   3. full states: normal derivative + transverse advection + ½ Δt × acceleration, upwinded again.
-// Source: Rycroft, Wu, Yu & Kamrin, J. Fluid Mech. 898 (2020) A9, after Colella and Bell. Rows of intermediate states stay
-// in the first-level cache; nothing between the cells and the final edges goes to memory.
+// Source: Rycroft, Wu, Yu & Kamrin, J. Fluid Mech. 898 (2020) A9, after Colella and Bell. Rows of intermediate states
+// stay in the first-level cache; nothing between the cells and the final edges goes to memory.
 #pragma once
 
 #include <array>

@@ -1,5 +1,6 @@
-// States on cell edges: Taylor expansion from a cell's centre over half an edge distance and half a step, and the choice
-// between the two sides. Pure functions of double or Pack. Source: Rycroft, Wu, Yu & Kamrin, J. Fluid Mech. 898 (2020) A9.
+// States on cell edges: Taylor expansion from a cell's centre over half an edge distance and half a step, and the
+// choice between the two sides. Pure functions of double or Pack. Source: Rycroft, Wu, Yu & Kamrin, J. Fluid Mech. 898
+// (2020) A9.
 #pragma once
 
 #include "mortise/grids/core/simd.hpp"

@@ -12,11 +12,11 @@ namespace {
 
 /// The one-dimensional transform of a direction.
 struct Axis {
-  int first = 0, count = 0;            // points that take part
+  int first = 0, count = 0;  // points that take part
   fftw_r2r_kind forward{}, backward{};
-  double scale = 1;                    // backward(forward(f)) = scale · f
+  double scale = 1;                              // backward(forward(f)) = scale · f
   bool low_weight = false, high_weight = false;  // the first, last point weighs ½
-  std::vector<double> angle;           // θ of each coefficient
+  std::vector<double> angle;                     // θ of each coefficient
 };
 
 Axis axis_of(const PressureProblem& problem, std::size_t d, int points) {
@@ -95,7 +95,8 @@ FastTransform::Plans::Plans(const PressureProblem& problem, Index<2> points_)
 
 void FastTransform::Plans::make_real(const PressureProblem& problem) {
   forward = fftw_plan_r2r_2d(y.count, x.count, values.get(), coefficients.get(), y.forward, x.forward, FFTW_ESTIMATE);
-  backward = fftw_plan_r2r_2d(y.count, x.count, coefficients.get(), values.get(), y.backward, x.backward, FFTW_ESTIMATE);
+  backward =
+      fftw_plan_r2r_2d(y.count, x.count, coefficients.get(), values.get(), y.backward, x.backward, FFTW_ESTIMATE);
   for (const double theta_y : y.angle)
     for (const double theta_x : x.angle)
       factors.push_back(inverse_eigenvalue(problem, theta_x, theta_y, x.scale * y.scale));
@@ -108,7 +109,8 @@ void FastTransform::Plans::make_complex(const PressureProblem& problem) {
   for (const double theta_y : y.angle)
     for (int k = 0; k <= x.count / 2; ++k)
       for (int part = 0; part < 2; ++part)
-        factors.push_back(inverse_eigenvalue(problem, x.angle[static_cast<std::size_t>(k)], theta_y, x.scale * y.scale));
+        factors.push_back(
+            inverse_eigenvalue(problem, x.angle[static_cast<std::size_t>(k)], theta_y, x.scale * y.scale));
 }
 
 FastTransform::FastTransform(const PressureProblem& problem, Index<2> points)

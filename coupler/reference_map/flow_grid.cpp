@@ -42,6 +42,8 @@ FlowGrid::FlowGrid(const IncompressibleSetup& setup, const Communicator& comm) :
   for (const int components : {1, 2, 4})
     exchange_[static_cast<std::size_t>(components)] =
         std::make_unique<GhostExchange<2>>(grid_.forest, grid_.shape, components);
+  for (const int components : {1, 2})
+    point_exchange_[static_cast<std::size_t>(components)] = std::make_unique<PointExchange>(grid_, components);
 }
 
 void FlowGrid::list_sides(const IncompressibleSetup& setup) {
@@ -49,8 +51,7 @@ void FlowGrid::list_sides(const IncompressibleSetup& setup) {
   for (std::size_t s = 0; s < 4; ++s) {
     kinds_[s] = setup.sides[s].kind;
     for (int t = 0; t < tiles(); ++t)
-      touches_[static_cast<std::size_t>(t)][s] =
-          grid_.forest.neighbor(t, outward(s)).kind == Neighbor::Kind::boundary;
+      touches_[static_cast<std::size_t>(t)][s] = grid_.forest.neighbor(t, outward(s)).kind == Neighbor::Kind::boundary;
     const int n = grid_.cells[1 - normal_of(s)];
     for (int k = -2; k < n + 2; ++k) {
       const Point<2> v = velocity_at(setup.sides[s], s, grid_, k);
@@ -71,14 +72,22 @@ void FlowGrid::exchange(Field<2>& field) const {
   exchange_[n]->fill(field, std::span(filler).first(n));
 }
 
+void FlowGrid::exchange_points(Field<2>& field) const {
+  point_exchange_[static_cast<std::size_t>(field.components())]->fill(field);
+}
+
 SideWalk walk_of(const TileShape<2>& shape, std::size_t side) {
   const auto at = [&](int i, int j) { return static_cast<std::ptrdiff_t>(shape.at(i, j)); };
   const int nx = shape.cells[0], ny = shape.cells[1];
   switch (side) {
-    case west: return {at(0, 0), 1, shape.stride, ny};
-    case east: return {at(nx - 1, 0), -1, shape.stride, ny};
-    case south: return {at(0, 0), shape.stride, 1, nx};
-    default: return {at(0, ny - 1), -shape.stride, 1, nx};
+    case west:
+      return {at(0, 0), 1, shape.stride, ny};
+    case east:
+      return {at(nx - 1, 0), -1, shape.stride, ny};
+    case south:
+      return {at(0, 0), shape.stride, 1, nx};
+    default:
+      return {at(0, ny - 1), -shape.stride, 1, nx};
   }
 }
 
@@ -135,7 +144,8 @@ void FlowGrid::fill_flux(Field<2>& velocity, bool inflow) const {
       for (const std::size_t y : {south, north})
         if (at_side(t, x) && at_side(t, y))
           for (int c = 0; c < 2; ++c)
-            block.component(c)[grid_.shape.at(x == west ? -1 : grid_.shape.cells[0], y == south ? -1 : grid_.shape.cells[1])] = 0;
+            block.component(
+                c)[grid_.shape.at(x == west ? -1 : grid_.shape.cells[0], y == south ? -1 : grid_.shape.cells[1])] = 0;
   }
 }
 

@@ -1,5 +1,5 @@
-// The grid of an incompressible flow: one uniform Cartesian grid of tiles, what lies at its sides, and the rules by which
-// ghost values beyond them follow from the cells.
+// The grid of an incompressible flow: one uniform Cartesian grid of tiles, what lies at its sides, and the rules by
+// which ghost values beyond them follow from the cells.
 #pragma once
 
 #include <array>
@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mortise/coupler/reference_map/incompressible_setup.hpp"
+#include "mortise/coupler/reference_map/point_exchange.hpp"
 #include "mortise/grids/forest/ghost_exchange.hpp"
 #include "mortise/grids/overlap/component_grid.hpp"
 
@@ -31,6 +32,9 @@ class FlowGrid {
   /// Ghosts of a field of 1, 2 or 4 components from neighbouring tiles. Those beyond the domain are left. Collective.
   void exchange(Field<2>& field) const;
 
+  /// The same of 1 or 2 components at nodes or on edges, see PointExchange. Collective.
+  void exchange_points(Field<2>& field) const;
+
   /// Ghosts of velocities (u, v) at cell centres from neighbours and beyond the sides. v_s is the velocity at the side:
   ///   wall, inflow: 2 v_s − v;  slip wall: the mirror image;  outflow: v of the mirrored cell. Collective.
   void fill_velocity(Field<2>& velocity) const;
@@ -38,8 +42,8 @@ class FlowGrid {
   /// Ghosts of a scalar at cell centres; beyond the sides the value of the mirrored cell. Collective.
   void fill_even(Field<2>& field) const;
 
-  /// Ghosts of a scalar at cell centres beyond the sides only: where p is given to be 0 (outflow) −p, elsewhere p, of the
-  /// cell at the side.
+  /// Ghosts of a scalar at cell centres beyond the sides only: where p is given to be 0 (outflow) −p, elsewhere p, of
+  /// the cell at the side.
   void fill_pressure_beyond(Field<2>& pressure) const;
 
   /// Ghosts of velocities such that sums over the four cells around a node include what flows through the sides: from
@@ -55,13 +59,14 @@ class FlowGrid {
 
   ComponentGrid<2> grid_;
   std::array<SideKind, 4> kinds_;
-  std::vector<std::array<bool, 4>> touches_;                  // by tile
-  std::array<std::array<std::vector<double>, 2>, 4> given_;  // by side and component; entry k: place k − 2
-  std::array<std::unique_ptr<GhostExchange<2>>, 5> exchange_;  // by number of components
+  std::vector<std::array<bool, 4>> touches_;                      // by tile
+  std::array<std::array<std::vector<double>, 2>, 4> given_;       // by side and component; entry k: place k − 2
+  std::array<std::unique_ptr<GhostExchange<2>>, 5> exchange_;     // by number of components
+  std::array<std::unique_ptr<PointExchange>, 3> point_exchange_;  // the same
 };
 
-/// Where a tile's array is walked across a side: `first` is the offset of the cell at the side, `inward` leads to the next
-/// cell inside, `along` to the next one along the side; `count` cells lie along the side.
+/// Where a tile's array is walked across a side: `first` is the offset of the cell at the side, `inward` leads to the
+/// next cell inside, `along` to the next one along the side; `count` cells lie along the side.
 struct SideWalk {
   std::ptrdiff_t first, inward, along;
   int count;

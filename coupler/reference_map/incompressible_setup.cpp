@@ -30,7 +30,8 @@ void check_numbers(const IncompressibleSetup& setup) {
   require(setup.density > 0 && std::isfinite(setup.density), "the density of the fluid must be positive");
   require(setup.viscosity >= 0 && std::isfinite(setup.viscosity), "the viscosity of the fluid must not be negative");
   require(in_unit(setup.cfl), "cfl must lie in (0, 1], not " + std::to_string(setup.cfl));
-  require(in_unit(setup.viscous_fraction), "viscous_fraction must lie in (0, 1], not " + std::to_string(setup.viscous_fraction));
+  require(in_unit(setup.viscous_fraction),
+          "viscous_fraction must lie in (0, 1], not " + std::to_string(setup.viscous_fraction));
   require(setup.tolerance > 0 && setup.tolerance < 1, "the tolerance of the pressure solver must lie in (0, 1)");
 }
 
@@ -55,7 +56,8 @@ void check_sides(const IncompressibleSetup& setup) {
   for (std::size_t s = 0; s < 4; ++s) {
     const FlowSide& side = setup.sides[s];
     require((side.kind == SideKind::periodic) == (setup.sides[s ^ 1].kind == SideKind::periodic),
-            std::string("the sides ") + side_names[s] + " and " + side_names[s ^ 1] + " are periodic together or not at all");
+            std::string("the sides ") + side_names[s] + " and " + side_names[s ^ 1] +
+                " are periodic together or not at all");
     outlet = outlet || side.kind == SideKind::outflow;
     if (side.kind != SideKind::inflow) continue;
     require(bool(side.velocity), std::string("the inflow at the ") + side_names[s] + " side has no velocity");

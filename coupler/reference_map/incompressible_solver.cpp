@@ -41,8 +41,10 @@ IncompressibleSolver::IncompressibleSolver(const IncompressibleSetup& setup, con
       correction_(flow_.shape(), 1, flow_.tiles()),
       edge_right_(flow_.shape(), 1, flow_.tiles()),
       edges_{Field<2>(flow_.shape(), 2, flow_.tiles()), Field<2>(flow_.shape(), 2, flow_.tiles())},
-      edge_solver_(make_pressure_solver(setup.pressure_solver, problem_of(flow_, PressurePlace::cells, setup.tolerance))),
-      node_solver_(make_pressure_solver(setup.pressure_solver, problem_of(flow_, PressurePlace::nodes, setup.tolerance))) {
+      edge_solver_(
+          make_pressure_solver(setup.pressure_solver, problem_of(flow_, PressurePlace::cells, setup.tolerance))),
+      node_solver_(
+          make_pressure_solver(setup.pressure_solver, problem_of(flow_, PressurePlace::nodes, setup.tolerance))) {
   largest_viscosity_ = setup.viscosity / setup.density;
   for (int t = 0; t < flow_.tiles(); ++t)
     for (std::size_t s = 0; s < 4; ++s)
@@ -62,8 +64,13 @@ IncompressibleSolver::IncompressibleSolver(const IncompressibleSetup& setup, con
 }
 
 ForceTile IncompressibleSolver::force_tile(int tile, const Field<2>& velocity) const {
-  ForceTile forces{&flow_.shape(), flow_.spacing(), setup_.gravity, 1 / setup_.density, setup_.viscosity,
-                   velocity.tile(tile).component(0), pressure_.tile(tile).component(0)};
+  ForceTile forces{&flow_.shape(),
+                   flow_.spacing(),
+                   setup_.gravity,
+                   1 / setup_.density,
+                   setup_.viscosity,
+                   velocity.tile(tile).component(0),
+                   pressure_.tile(tile).component(0)};
   if (fields_) {
     forces.density = fields_->density.tile(tile).component(0);
     forces.stress_x = stress_x_->tile(tile).component(0);
@@ -74,7 +81,8 @@ ForceTile IncompressibleSolver::force_tile(int tile, const Field<2>& velocity) c
 }
 
 ProjectionTile IncompressibleSolver::projection_tile(int tile) const {
-  return {&flow_.shape(), flow_.spacing(), fields_ ? fields_->density.tile(tile).component(0) : nullptr, setup_.density};
+  return {&flow_.shape(), flow_.spacing(), fields_ ? fields_->density.tile(tile).component(0) : nullptr,
+          setup_.density};
 }
 
 /// With solids: the whole stress of the given velocity, whose ghosts are filled.
@@ -82,8 +90,8 @@ void IncompressibleSolver::prepare_stress(const Field<2>& velocity) {
   if (!fields_) return;
   for (int t = 0; t < flow_.tiles(); ++t)
     fill_stress(flow_.shape(), flow_.spacing(), velocity.tile(t).component(0), fields_->viscosity.tile(t).component(0),
-                fields_->stress_x.tile(t).component(0), fields_->stress_y.tile(t).component(0), stress_x_->tile(t).component(0),
-                stress_y_->tile(t).component(0));
+                fields_->stress_x.tile(t).component(0), fields_->stress_y.tile(t).component(0),
+                stress_x_->tile(t).component(0), stress_y_->tile(t).component(0));
 }
 
 /// 1. Edge velocities at t + dt/2.
@@ -95,8 +103,12 @@ void IncompressibleSolver::predict(double dt) {
   prepare_stress(velocity_);
   for (int t = 0; t < flow_.tiles(); ++t) {
     fill_acceleration(force_tile(t, velocity_), acceleration_.tile(t).component(0));
-    EdgeTile tile{&flow_.shape(), velocity_.tile(t).component(0), slopes_.tile(t).component(0),
-                  acceleration_.tile(t).component(0), edges_.x.tile(t).component(0), edges_.y.tile(t).component(0)};
+    EdgeTile tile{&flow_.shape(),
+                  velocity_.tile(t).component(0),
+                  slopes_.tile(t).component(0),
+                  acceleration_.tile(t).component(0),
+                  edges_.x.tile(t).component(0),
+                  edges_.y.tile(t).component(0)};
     for (std::size_t s = 0; s < 4; ++s)
       tile.sides[s] = {flow_.at_side(t, s), flow_.kind(s), {flow_.given(t, s, 0), flow_.given(t, s, 1)}};
     predict_edges(tile, dt, {dt / flow_.spacing()[0], dt / flow_.spacing()[1]});
@@ -127,7 +139,8 @@ void IncompressibleSolver::carry_solids(double dt) {
 /// Ghosts of the solids' fields, and the largest kinematic viscosity.
 void IncompressibleSolver::complete_fields() {
   flow_.fill_even(fields_->density);
-  for (Field<2>* field : {&fields_->viscosity, &fields_->stress_x, &fields_->stress_y, &fields_->force}) flow_.exchange(*field);
+  flow_.exchange(fields_->force);
+  for (Field<2>* field : {&fields_->viscosity, &fields_->stress_x, &fields_->stress_y}) flow_.exchange_points(*field);
   double viscosity = 0, density = std::numeric_limits<double>::infinity();
   const TileShape<2>& shape = flow_.shape();
   for (int t = 0; t < flow_.tiles(); ++t)
@@ -191,7 +204,8 @@ void IncompressibleSolver::initialize() {
   for (int t = 0; t < flow_.tiles(); ++t)
     for_each_cell<2>(shape, 0, [&](const Index<2>& c) {
       const Index<2> first = grid().first_cell(t);
-      const Point<2> v = setup_.velocity ? setup_.velocity(grid().center({first[0] + c[0], first[1] + c[1]})) : Point<2>(0, 0);
+      const Point<2> v =
+          setup_.velocity ? setup_.velocity(grid().center({first[0] + c[0], first[1] + c[1]})) : Point<2>(0, 0);
       for (int k = 0; k < 2; ++k) star_.tile(t).component(k)[shape.at(c)] = v[k];
     });
   if (solids_) {
@@ -240,35 +254,6 @@ double IncompressibleSolver::advance(double limit) {
     complete_fields();
   }
   return dt;
-}
-
-std::optional<FlowSample> IncompressibleSolver::sample(const Point<2>& place) const {
-  const ComponentGrid<2>& g = grid();
-  const Point<2> at = (place - g.origin).cwiseQuotient(g.spacing);  // in cells
-  Index<2> cell, tile;
-  for (int d = 0; d < 2; ++d) {
-    const auto k = static_cast<std::size_t>(d);
-    if (!(at[d] >= 0 && at[d] <= g.cells[k])) return std::nullopt;
-    cell[k] = std::min(static_cast<int>(at[d]), g.cells[k] - 1);
-    tile[k] = cell[k] / g.shape.cells[k];
-    cell[k] -= tile[k] * g.shape.cells[k];
-  }
-  const Neighbor owner = g.forest.find(tile);
-  if (owner.rank != g.forest.communicator().rank()) return std::nullopt;
-  /// Bilinear in values that lie at integer places; s: from the first of them.
-  const auto bilinear = [&](const double* values, const Point<2>& s) {
-    const auto i = static_cast<std::ptrdiff_t>(std::floor(s[0])), j = static_cast<std::ptrdiff_t>(std::floor(s[1]));
-    const double a = s[0] - static_cast<double>(i), b = s[1] - static_cast<double>(j);
-    const double* v = values + i + j * g.shape.stride;
-    return (1 - b) * ((1 - a) * v[0] + a * v[1]) + b * ((1 - a) * v[g.shape.stride] + a * v[g.shape.stride + 1]);
-  };
-  const std::size_t first = g.shape.at(0, 0);
-  const Point<2> inside(at[0] - tile[0] * g.shape.cells[0], at[1] - tile[1] * g.shape.cells[1]);
-  const TileBlock& v = velocity_.tile(owner.local);
-  const Point<2> half(0.5, 0.5);
-  const Point<2> corner = inside.cwiseMin(Point<2>(g.shape.cells[0] - 1e-12, g.shape.cells[1] - 1e-12));
-  return FlowSample{{bilinear(v.component(0) + first, inside - half), bilinear(v.component(1) + first, inside - half)},
-                    bilinear(pressure_.tile(owner.local).component(0) + first, corner)};
 }
 
 }  // namespace mortise

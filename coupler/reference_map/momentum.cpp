@@ -15,8 +15,10 @@ void slopes_of(const TileShape<2>& shape, const double* velocity, double* slopes
       double* const dy = dx + 2 * shape.plane;
       for (int i = 0; i < shape.cells[0]; i += simd_width) {
         const Pack middle = load(q + i);
-        store(dx + i, flow_slope<kind, Pack>(load(q + i - 2), load(q + i - 1), middle, load(q + i + 1), load(q + i + 2)));
-        store(dy + i, flow_slope<kind, Pack>(load(q + i - 2 * s), load(q + i - s), middle, load(q + i + s), load(q + i + 2 * s)));
+        store(dx + i,
+              flow_slope<kind, Pack>(load(q + i - 2), load(q + i - 1), middle, load(q + i + 1), load(q + i + 2)));
+        store(dy + i, flow_slope<kind, Pack>(load(q + i - 2 * s), load(q + i - s), middle, load(q + i + s),
+                                             load(q + i + 2 * s)));
       }
     }
 }
@@ -47,7 +49,8 @@ MORTISE_INLINE Pair pressure_gradient(const Forces& f, std::ptrdiff_t o) {
 
 MORTISE_INLINE Pack diffusion(const Forces& f, const double* q) {
   const Pack twice = 2.0 * load(q);
-  return f.diffusion[0] * (load(q + 1) + load(q - 1) - twice) + f.diffusion[1] * (load(q + f.stride) + load(q - f.stride) - twice);
+  return f.diffusion[0] * (load(q + 1) + load(q - 1) - twice) +
+         f.diffusion[1] * (load(q + f.stride) + load(q - f.stride) - twice);
 }
 
 MORTISE_INLINE Pair stress_divergence(const Forces& f, std::ptrdiff_t o) {
@@ -170,7 +173,8 @@ void fill_advection(const TileShape<2>& shape, const Point<2>& spacing, const do
   }
 }
 
-void add_rates(const TileShape<2>& shape, const double* velocity, double c, const double* a, const double* b, double* result) {
+void add_rates(const TileShape<2>& shape, const double* velocity, double c, const double* a, const double* b,
+               double* result) {
   for (std::size_t k = 0; k < 2; ++k)
     for (int j = 0; j < shape.cells[1]; ++j) {
       const std::size_t o = shape.at(0, j) + k * shape.plane;

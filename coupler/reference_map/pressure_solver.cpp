@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "mortise/coupler/reference_map/hypre_solver.hpp"
 #include "mortise/coupler/reference_map/transform_solver.hpp"
 #include "mortise/grids/core/registry.hpp"
 
@@ -11,7 +12,8 @@ namespace {
 using Maker = std::unique_ptr<PressureSolver> (*)(const PressureProblem&);
 
 const Registry<Maker>& solvers() {
-  static const Registry<Maker> registry("pressure solver", {{"transform", make_transform_solver}});
+  static const Registry<Maker> registry("pressure solver",
+                                        {{"transform", make_transform_solver}, {"hypre", make_hypre_solver}});
   return registry;
 }
 

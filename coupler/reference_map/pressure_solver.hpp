@@ -1,4 +1,5 @@
-// Pressure equations −∇·(1/ρ ∇p) = f on a uniform grid, integrated over a cell's or a node's share of the domain, A p = b:
+// Pressure equations −∇·(1/ρ ∇p) = f on a uniform grid, integrated over a cell's or a node's share of the domain, A p =
+// b:
 //   cells (MAC projection): (A p)_c = Σ_edges (length/distance) (1/ρ_e) (p_c − p_beyond), 1/ρ_e = 2/(ρ_c + ρ_beyond);
 //   nodes (bilinear finite elements): (A p)_a = Σ_cells (1/ρ_c) ∫ ∇φ_a · ∇p.
 // A is symmetric and not negative. Where no end is a Dirichlet one p is found up to a constant, and has mean zero.
@@ -20,8 +21,9 @@ struct PressureProblem {
   const ComponentGrid<2>* grid = nullptr;
   PressurePlace place = PressurePlace::cells;
   std::array<PressureEnd, 4> ends{};  // west, east, south, north
-  /// Iterations end when the error e of p is small against p in the norm of kinetic energy, √(eᵀA e) ≤ tolerance √(pᵀA p):
-  /// the relative error of the velocity correction ∇p/ρ. Where a solver does not know √(eᵀA e) it takes ‖b − A p‖/‖b‖.
+  /// Iterations end when the error e of p is small against p in the norm of kinetic energy, √(eᵀA e) ≤ tolerance √(pᵀA
+  /// p): the relative error of the velocity correction ∇p/ρ. Where a solver does not know √(eᵀA e) it takes ‖b − A
+  /// p‖/‖b‖.
   double tolerance = 1e-10;
 
   bool singular() const;  // p is known up to a constant only
@@ -34,13 +36,14 @@ class PressureSolver {
   virtual ~PressureSolver() = default;
 
   /// Solves A p = b. right: b. density: of the cells, with one ghost layer; nullptr: 1 everywhere. pressure: the first
-  /// guess, becomes the answer, its ghosts filled wherever there are neighbours. Returns the number of iterations, 0 for
-  /// direct solution. Throws NumericalError when the iteration fails. Collective.
+  /// guess, becomes the answer, its ghosts filled wherever there are neighbours. Returns the number of iterations, 0
+  /// for direct solution. Throws NumericalError when the iteration fails. Collective.
   virtual int solve(const Field<2>& right, const Field<2>* density, Field<2>& pressure) = 0;
 };
 
 /// Keys of pressure solvers:
-///   transform  fast sine and cosine transforms: direct for constant density, otherwise conjugate gradients with them as
+///   transform  fast sine and cosine transforms: direct for constant density, otherwise conjugate gradients with them
+///   as
 ///              preconditioner (contraction depends on the ratio of densities alone). Every rank solves the whole grid
 ///              alike: bitwise the same on any number of ranks, and for grids that one rank can hold.
 std::vector<std::string> pressure_solver_keys();

@@ -24,14 +24,16 @@ void correct_edges_of(const ProjectionTile tile, const double* q, double* x_edge
     const std::size_t first = shape.at(0, j);
     if (j < shape.cells[1])
       for (std::size_t o = first; o <= first + static_cast<std::size_t>(shape.cells[0]); o += simd_width)
-        store(x_edges + o, load(x_edges + o) - ax * edge_volume<variable>(tile, o - 1, o) * (load(q + o) - load(q + o - 1)));
+        store(x_edges + o,
+              load(x_edges + o) - ax * edge_volume<variable>(tile, o - 1, o) * (load(q + o) - load(q + o - 1)));
     for (std::size_t o = first; o < first + static_cast<std::size_t>(shape.cells[0]); o += simd_width)
       store(v + o, load(v + o) - ay * edge_volume<variable>(tile, o - s, o) * (load(q + o) - load(q + o - s)));
   }
 }
 
 template <bool variable>
-Point<2> correct_velocity_of(const ProjectionTile tile, double dt, const double* star, const double* p, double* velocity) {
+Point<2> correct_velocity_of(const ProjectionTile tile, double dt, const double* star, const double* p,
+                             double* velocity) {
   const TileShape<2>& shape = *tile.shape;
   const std::ptrdiff_t s = shape.stride, plane = static_cast<std::ptrdiff_t>(shape.plane);
   const int nx = shape.cells[0];
@@ -69,7 +71,8 @@ void fill_edge_divergence(const ProjectionTile& tile, const double* x_edges, con
   for (int j = 0; j < shape.cells[1]; ++j) {
     const std::size_t first = shape.at(0, j);
     for (std::size_t o = first; o < first + static_cast<std::size_t>(shape.cells[0]); o += simd_width)
-      store(right + o, cx * (load(x_edges + o) - load(x_edges + o + 1)) + cy * (load(v + o) - load(v + o + shape.stride)));
+      store(right + o,
+            cx * (load(x_edges + o) - load(x_edges + o + 1)) + cy * (load(v + o) - load(v + o + shape.stride)));
   }
 }
 
@@ -96,7 +99,8 @@ void fill_nodal_divergence(const ProjectionTile& tile, double dt, const double* 
   }
 }
 
-Point<2> correct_velocity(const ProjectionTile& tile, double dt, const double* star, const double* p, double* velocity) {
+Point<2> correct_velocity(const ProjectionTile& tile, double dt, const double* star, const double* p,
+                          double* velocity) {
   return tile.density ? correct_velocity_of<true>(tile, dt, star, p, velocity)
                       : correct_velocity_of<false>(tile, dt, star, p, velocity);
 }

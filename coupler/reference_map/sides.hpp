@@ -8,14 +8,14 @@
 
 namespace mortise {
 
-/// periodic: joined to the opposite side (both must be); wall: the fluid sticks to it; slip_wall: no normal velocity, no
-/// shear stress; inflow: the velocity is given; outflow: p = 0 and ∂v/∂n = 0.
+/// periodic: joined to the opposite side (both must be); wall: the fluid sticks to it; slip_wall: no normal velocity,
+/// no shear stress; inflow: the velocity is given; outflow: p = 0 and ∂v/∂n = 0.
 enum class SideKind { periodic, wall, slip_wall, inflow, outflow };
 
 /// One side of the domain.
 struct FlowSide {
   SideKind kind = SideKind::periodic;
-  double speed = 0;                                          // wall: its own velocity along +x or +y
+  double speed = 0;                                           // wall: its own velocity along +x or +y
   std::function<Point<2>(const Point<2>& place)> velocity{};  // inflow: at a point of the side, constant in time
 };
 

@@ -1,7 +1,9 @@
 // Undivided slopes of a cell from five values along a line.
 //   central:  δ = ⅔(q₊₁ − q₋₁) − (q₊₂ − q₋₂)/12, fourth order;
-//   limited:  the fourth-order monotonicity-limited slope of Colella, "A direct Eulerian MUSCL scheme for gas dynamics",
-//             SIAM J. Sci. Stat. Comput. 6 (1985): with a = q − q₋₁, b = q₊₁ − q and δ_lim = 2 min(|a|, |b|) if ab > 0, else 0,
+//   limited:  the fourth-order monotonicity-limited slope of Colella, "A direct Eulerian MUSCL scheme for gas
+//   dynamics",
+//             SIAM J. Sci. Stat. Comput. 6 (1985): with a = q − q₋₁, b = q₊₁ − q and δ_lim = 2 min(|a|, |b|) if ab > 0,
+//             else 0,
 //               δ_f = min(½|a + b|, δ_lim) sgn(a + b),  δ = min(|⅔(a + b) − (δ_f,₊₁ + δ_f,₋₁)/6|, δ_lim) sgn(a + b).
 // The limited slope vanishes at extrema, where the order falls to that of piecewise constants.
 #pragma once

@@ -7,23 +7,23 @@
 namespace mortise {
 
 /// Velocities on cell edges of all local tiles, at the middle of the step. In a tile of nx × ny cells:
-///   x: components (u, v) on the west edges of cells, offset at(i, j), 0 ≤ i ≤ nx, 0 ≤ j < ny (i = nx: the tile's east side);
-///   y: components (u, v) on the south edges of cells, offset at(i, j), 0 ≤ i < nx, 0 ≤ j ≤ ny.
-/// The normal components (u of x, v of y) are free of divergence to the tolerance of the pressure solver; the other ones
-/// are upwinded and not projected.
+///   x: components (u, v) on the west edges of cells, offset at(i, j), 0 ≤ i ≤ nx, 0 ≤ j < ny (i = nx: the tile's east
+///   side); y: components (u, v) on the south edges of cells, offset at(i, j), 0 ≤ i < nx, 0 ≤ j ≤ ny.
+/// The normal components (u of x, v of y) are free of divergence to the tolerance of the pressure solver; the other
+/// ones are upwinded and not projected.
 struct EdgeVelocities {
   Field<2> x, y;
 };
 
-/// What solids contribute, on the tiles of the flow's grid. The solids write the cells of a tile (0 ≤ i < nx, 0 ≤ j < ny)
-/// and the edges numbered as in EdgeVelocities, those at i = nx and j = ny included; the solver fills what
-/// lies beyond the tile. Where nothing is written the last values stay.
+/// What solids contribute, on the tiles of the flow's grid. The solids write the cells of a tile (0 ≤ i < nx, 0 ≤ j <
+/// ny) and the edges numbered as in EdgeVelocities, those at i = nx and j = ny included; the solver fills what lies
+/// beyond the tile. Where nothing is written the last values stay.
 struct SolidFields {
-  Field<2> density;    // 1 component, cells: density of the blend, > 0
+  Field<2> density;  // 1 component, cells: density of the blend, > 0
   Field<2> viscosity;  // 2 components: μ of the blend on west and on south edges, ≥ 0; the solver adds μ(∇v + ∇vᵀ)
-  Field<2> stress_x;   // 2 components, west edges: (σ_xx, σ_xy) without the viscous part above and without pressure
-  Field<2> stress_y;   // 2 components, south edges: (σ_xy, σ_yy)
-  Field<2> force;      // 2 components, cells: force per area beyond gravity (which is ρ times the setup's)
+  Field<2> stress_x;  // 2 components, west edges: (σ_xx, σ_xy) without the viscous part above and without pressure
+  Field<2> stress_y;  // 2 components, south edges: (σ_xy, σ_yy)
+  Field<2> force;     // 2 components, cells: force per area beyond gravity (which is ρ times the setup's)
 };
 
 /// Solids in an incompressible flow. All members are called on every rank.
@@ -48,8 +48,8 @@ class Solids {
   virtual void half_step(const EdgeVelocities& edges, double time, double dt, SolidFields& fields) = 0;
 
   /// After the velocities (components u, v at cell centres, two ghost layers filled) have come to `time`: may write the
-  /// fields for `time`, which the prediction of the next step uses. Without it the prediction uses those of the last half
-  /// step, which costs stability of stiff solids before it costs order.
+  /// fields for `time`, which the prediction of the next step uses. Without it the prediction uses those of the last
+  /// half step, which costs stability of stiff solids before it costs order.
   virtual void full_step(const Field<2>& velocity, double time, SolidFields& fields) {
     (void)velocity, (void)time, (void)fields;
   }

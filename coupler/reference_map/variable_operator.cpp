@@ -28,9 +28,12 @@ void VariableOperator::set_edges(const double* density) {
   // Weight of the edge between a cell and what lies beyond a side: half the distance to p = 0, none to a Neumann side.
   const auto at_end = [&](std::size_t side, double here, double opposite) {
     switch (problem_.ends[side]) {
-      case PressureEnd::periodic: return 2 / (here + opposite);
-      case PressureEnd::dirichlet: return 2 / here;
-      default: return 0.0;
+      case PressureEnd::periodic:
+        return 2 / (here + opposite);
+      case PressureEnd::dirichlet:
+        return 2 / here;
+      default:
+        return 0.0;
     }
   };
   for (int j = 0; j < ny; ++j) {
@@ -56,9 +59,11 @@ void VariableOperator::set_cells(const double* density) {
   const Index<2>& n = problem_.grid->cells;
   for (int j = -1; j <= n[1]; ++j)
     for (int i = -1; i <= n[0]; ++i) {
-      const bool inside = (problem_.grid->periodic[0] || (i >= 0 && i < n[0])) && (problem_.grid->periodic[1] || (j >= 0 && j < n[1]));
+      const bool inside =
+          (problem_.grid->periodic[0] || (i >= 0 && i < n[0])) && (problem_.grid->periodic[1] || (j >= 0 && j < n[1]));
       const int k = (i + n[0]) % n[0], l = (j + n[1]) % n[1];
-      x_[static_cast<std::size_t>(first() + j * stride_ + i)] = inside ? 1 / density[static_cast<std::ptrdiff_t>(l) * n[0] + k] : 0;
+      x_[static_cast<std::size_t>(first() + j * stride_ + i)] =
+          inside ? 1 / density[static_cast<std::ptrdiff_t>(l) * n[0] + k] : 0;
     }
 }
 
@@ -118,7 +123,8 @@ void VariableOperator::apply_nodes(const double* p, double* Ap) const {
       Pack sum = own * (south + north) * load(q + i);
       sum = sum + along_x * ((sw + nw) * load(q + i - 1) + (se + ne) * load(q + i + 1));
       sum = sum + along_y * (south * load(q + i - s) + north * load(q + i + s));
-      sum = sum + across * ((sw * load(q + i - s - 1) + se * load(q + i - s + 1)) + (nw * load(q + i + s - 1) + ne * load(q + i + s + 1)));
+      sum = sum + across * ((sw * load(q + i - s - 1) + se * load(q + i - s + 1)) +
+                            (nw * load(q + i + s - 1) + ne * load(q + i + s + 1)));
       store(out + i, sum);
     }
     if ((zero_end(2) && j == 0) || (zero_end(3) && j == points_[1] - 1)) std::fill_n(out, points_[0], 0.0);

@@ -15,13 +15,14 @@ class VariableOperator {
   void set_density(const double* density);
   double largest_density() const { return largest_density_; }
 
-  /// Points are laid out in rows of stride() doubles with a layer of ghosts around: point (i, j) at (j + 1) stride + i + 1.
+  /// Points are laid out in rows of stride() doubles with a layer of ghosts around: point (i, j) at (j + 1) stride + i
+  /// + 1.
   std::ptrdiff_t stride() const { return stride_; }
   std::ptrdiff_t first() const { return stride_ + 1; }  // offset of point (0, 0)
   std::size_t padded() const { return padded_; }        // doubles of such an array, read or written in whole vectors
 
-  /// Ap = A p in rows without ghosts, points[0] doubles apart (and `slack` doubles to spare); sets the ghosts of p. Rows of
-  /// Dirichlet nodes are 0.
+  /// Ap = A p in rows without ghosts, points[0] doubles apart (and `slack` doubles to spare); sets the ghosts of p.
+  /// Rows of Dirichlet nodes are 0.
   void apply(double* p, double* Ap) const;
   static constexpr std::size_t slack = 8;
 

@@ -4,7 +4,8 @@
 
 namespace mortise {
 
-WholeGrid::WholeGrid(const ComponentGrid<2>& grid, PressurePlace place) : grid_(&grid), place_(place), points_(grid.cells) {
+WholeGrid::WholeGrid(const ComponentGrid<2>& grid, PressurePlace place)
+    : grid_(&grid), place_(place), points_(grid.cells) {
   for (std::size_t d = 0; d < 2; ++d)
     if (place == PressurePlace::nodes && !grid.periodic[d]) ++points_[d];
   for (int t = 0; t < grid.forest.local_count(); ++t) coordinates_.push_back(grid.forest.coordinates(t));
@@ -28,8 +29,8 @@ void WholeGrid::gather(const Field<2>& field, double* whole, std::ptrdiff_t stri
   const Communicator& comm = grid_->forest.communicator();
   if (comm.size() == 1) {
     for (int t = 0; t < field.tiles(); ++t)
-      place_tile(coordinates_[static_cast<std::size_t>(t)], field.tile(t).component(0) + shape.at(0, 0), shape.stride, whole,
-                 stride);
+      place_tile(coordinates_[static_cast<std::size_t>(t)], field.tile(t).component(0) + shape.at(0, 0), shape.stride,
+                 whole, stride);
     return;
   }
   const int wide = shape.cells[0] + 1, high = shape.cells[1] + 1;

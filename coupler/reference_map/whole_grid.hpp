@@ -9,7 +9,8 @@ namespace mortise {
 
 class WholeGrid {
  public:
-  /// Points are the cells of the grid or its nodes: cells + 1 of them along a direction that is not periodic. Collective.
+  /// Points are the cells of the grid or its nodes: cells + 1 of them along a direction that is not periodic.
+  /// Collective.
   WholeGrid(const ComponentGrid<2>& grid, PressurePlace place);
 
   Index<2> points() const { return points_; }
@@ -21,7 +22,8 @@ class WholeGrid {
   void scatter(const double* whole, std::ptrdiff_t stride, Field<2>& field) const;
 
  private:
-  void place_tile(const Index<2>& tile, const double* values, std::ptrdiff_t from, double* whole, std::ptrdiff_t stride) const;
+  void place_tile(const Index<2>& tile, const double* values, std::ptrdiff_t from, double* whole,
+                  std::ptrdiff_t stride) const;
   int width(int tile, std::size_t d) const;  // points a tile owns along d
 
   const ComponentGrid<2>* grid_;

@@ -48,7 +48,7 @@ TEST(Section, Types) {
   EXPECT_EQ(error_of(plane_case, {"probes=3"}), "--set probes=3: probes must be an array of tables, [[probes]], not 3");
   EXPECT_EQ(error_of(plane_case, {"probes=[3]"}), "--set probes=[3]: probes.0 must be a table, not 3");
   EXPECT_EQ(error_of(plane_case, {"output.pictures=mach"}),
-            "--set output.pictures=mach: output.pictures must be a list of any of schlieren, pressure, velocity, mach, stress, "
+            "--set output.pictures=mach: output.pictures must be a list of any of schlieren, pressure, velocity, mach, vorticity, stress, "
             "grids, "
             "not \"mach\"");
 }
