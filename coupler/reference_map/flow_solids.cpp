@@ -19,6 +19,9 @@ void check(const FlowSolidsSetup& setup) {
   }
 }
 
+// Part of half the impedance with which velocities that differ across an edge pull at each other.
+constexpr double smoothing = 0.05;
+
 struct Stress {
   double xx, xy, yy;
 };
@@ -138,7 +141,7 @@ void FlowSolids::write_tile(int t, bool half, double time, SolidFields& fields) 
     const TileBlock& map = (half ? maps_[b]->half() : maps_[b]->field()).tile(t);
     if (!map.allocated()) continue;
     const FlowBody& body = setup_.bodies[b];
-    const double stiffness = 0.25 * fastest_ * fastest_;  // of anchors, per mass
+    const double stiffness = fastest_ * fastest_;  // of anchors, per mass
     double* const density = fields.density.tile(t).component(0);
     for (int j = 0; j < grid_.shape.cells[1]; ++j)
       for (int i = 0; i < grid_.shape.cells[0]; ++i) {
@@ -177,6 +180,7 @@ void FlowSolids::add_edges(int t, int direction, std::size_t b, bool half, doubl
   const std::ptrdiff_t stride = grid_.shape.stride, back = direction == 0 ? 1 : stride, across = direction == 0 ? stride : 1;
   const double width = setup_.blur * grid_.spacing.minCoeff(), inverse_width = 1 / width;
   const double along_step = 1 / grid_.spacing[direction], across_step = 0.25 / grid_.spacing[1 - direction];
+  const double impedance = std::sqrt(body.density * body.shear_modulus);
   double* const viscosity = fields.viscosity.tile(t).component(direction);
   TileBlock& stress = (direction == 0 ? fields.stress_x : fields.stress_y).tile(t);
   const double cosine = std::cos(body.axis), sine = std::sin(body.axis);
@@ -229,8 +233,14 @@ void FlowSolids::add_edges(int t, int direction, std::size_t b, bool half, doubl
         const double closeness = 1 - std::fabs(at - end) / (3 * width);
         if (closeness > 0) push(Point<2>::Unit(d), 4 * body.shear_modulus * closeness);
       }
-      stress.component(0)[k] += share * (direction == 0 ? tau.xx : tau.xy);
-      stress.component(1)[k] += share * (direction == 0 ? tau.xy : tau.yy);
+      // Jump between the velocities that cells on both sides have at the edge by linear reconstruction, c their component.
+      const auto upwinding = [&](int c) {
+        if (!velocity_) return 0.0;
+        const double* v = velocity_->tile(t).component(c) + k;
+        return smoothing * impedance * -0.25 * ((v[back] - *(v - 2 * back)) - 3 * (v[0] - *(v - back)));
+      };
+      stress.component(0)[k] += share * ((direction == 0 ? tau.xx : tau.xy) + upwinding(0));
+      stress.component(1)[k] += share * ((direction == 0 ? tau.xy : tau.yy) + upwinding(1));
       viscosity[k] = std::max(0.0, viscosity[k] - share * setup_.fluid_viscosity);
     }
 }
