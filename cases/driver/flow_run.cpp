@@ -41,12 +41,16 @@ Snapshot snapshot_of(const IncompressibleSolver& flow, const std::vector<MappedS
   const auto s = static_cast<std::size_t>(grid.shape.stride);
   std::vector<Record> mine;
   for_each_local_cell<2>(grid, [&](int t, const Index<2>&, std::size_t index, std::size_t k) {
-    const double *u = flow.velocity().tile(t).component(0) + k, *v = flow.velocity().tile(t).component(1) + k, *p = flow.pressure().tile(t).component(0) + k;
+    const double *u = flow.velocity().tile(t).component(0) + k, *v = flow.velocity().tile(t).component(1) + k,
+                 *p = flow.pressure().tile(t).component(0) + k;
     const double curl = 0.5 * ((v[1] - *(v - 1)) / grid.spacing.x() - (u[s] - *(u - s)) / grid.spacing.y());
     double share = 0;
     for (const MappedSolid& solid : solids)
-      if (solid.map->field().tile(t).allocated()) share += solid_share(solid.map->field().tile(t).component(2)[k], 1 / solid.blur);
-    mine.push_back({static_cast<std::int64_t>(index), {*u, *v, curl, 0.25 * (p[0] + p[1] + p[s] + p[s + 1])}, share > most_solid_share});
+      if (solid.map->field().tile(t).allocated())
+        share += solid_share(solid.map->field().tile(t).component(2)[k], 1 / solid.blur);
+    mine.push_back({static_cast<std::int64_t>(index),
+                    {*u, *v, curl, 0.25 * (p[0] + p[1] + p[s] + p[s + 1])},
+                    share > most_solid_share});
   });
   GridSnapshot out;
   out.name = grid.name;
@@ -57,7 +61,8 @@ Snapshot snapshot_of(const IncompressibleSolver& flow, const std::vector<MappedS
       out.y.push_back(grid.origin.y() + j * grid.spacing.y());
     }
   out.mask.assign(out.cell_count(), mask_active);
-  for (const char* name : {"velocity_x", "velocity_y", "vorticity", "pressure"}) out.fields.emplace_back(name, std::vector<double>(out.cell_count(), 0.0));
+  for (const char* name : {"velocity_x", "velocity_y", "vorticity", "pressure"})
+    out.fields.emplace_back(name, std::vector<double>(out.cell_count(), 0.0));
   for (const Record& record : grid.forest.communicator().gather_all(mine)) {
     const auto k = static_cast<std::size_t>(record.index);
     if (record.hole) out.mask[k] = mask_hole;
@@ -90,17 +95,23 @@ class FlowRun {
 
   int operator()() {
     directory_ = options_.output.empty() ? description_.output : options_.output;
-    if (!options_.restart.empty()) throw InputError("runs with fluid.kind = \"incompressible\" write no checkpoints and cannot be restarted");
+    if (!options_.restart.empty())
+      throw InputError("runs with fluid.kind = \"incompressible\" write no checkpoints and cannot be restarted");
     end_ = options_.until ? std::min(*options_.until, description_.time_end) : description_.time_end;
     agree(comm_, [&] {
       if (comm_.rank() != 0) return;
       check_output_directory(directory_, options_.overwrite, false);
       prepare_output_directory(directory_, options_.overwrite);
-      if (solids_) solids_file_.emplace(directory_ + "/solids.csv", std::vector<std::string>{"t", "solid", "x", "y", "velocity_x", "velocity_y", "angular_momentum", "volume"});
-      if (!description_.probes.empty()) tracers_file_.emplace(directory_ + "/tracers.csv", std::vector<std::string>{"t", "probe", "x", "y"});
+      if (solids_)
+        solids_file_.emplace(
+            directory_ + "/solids.csv",
+            std::vector<std::string>{"t", "solid", "x", "y", "velocity_x", "velocity_y", "angular_momentum", "volume"});
+      if (!description_.probes.empty())
+        tracers_file_.emplace(directory_ + "/tracers.csv", std::vector<std::string>{"t", "probe", "x", "y"});
       if (description_.hdf5 && description_.frames > 0) series_.emplace(directory_);
     });
-    for (const ProbeDescription& probe : description_.probes) tracers_.push_back({probe.position[0], probe.position[1]});
+    for (const ProbeDescription& probe : description_.probes)
+      tracers_.push_back({probe.position[0], probe.position[1]});
     Progress progress(0, end_, options_.quiet || comm_.rank() != 0);
     int status = 0;
     std::string reason;
@@ -121,7 +132,8 @@ class FlowRun {
   void loop(Progress& progress) {
     int next = 1;
     while (flow_.time() < end_ * (1 - 1e-14)) {
-      const double event = description_.frames > 0 ? std::min(end_, description_.time_end * next / description_.frames) : end_;
+      const double event =
+          description_.frames > 0 ? std::min(end_, description_.time_end * next / description_.frames) : end_;
       const double left = event - flow_.time(), fastest = flow_.rate();
       const double wanted = std::ceil(left * fastest * (1 - 1e-12));  // so many steps of one size
       const double dt = flow_.advance(wanted > 1 && wanted < 1e9 ? left / wanted : left);
@@ -134,7 +146,8 @@ class FlowRun {
     }
   }
 
-  /// Points outside solids move with the fluid (explicit midpoint rule between two steps); those inside are found by their map.
+  /// Points outside solids move with the fluid (explicit midpoint rule between two steps); those inside are found by
+  /// their map.
   void move_tracers(double dt) {
     for (Point<2>& x : tracers_) {
       if (solid_of(&x - tracers_.data()) >= 0) continue;
@@ -145,7 +158,8 @@ class FlowRun {
 
   Point<2> velocity_at(const Point<2>& x) const {
     std::vector<std::array<double, 2>> mine;
-    if (const std::optional<FlowSample> sample = flow_.sample(x)) mine.push_back({sample->velocity.x(), sample->velocity.y()});
+    if (const std::optional<FlowSample> sample = flow_.sample(x))
+      mine.push_back({sample->velocity.x(), sample->velocity.y()});
     const auto all = comm_.gather_all(mine);
     return all.empty() ? Point<2>(0, 0) : Point<2>(all.front()[0], all.front()[1]);
   }
@@ -163,13 +177,15 @@ class FlowRun {
     for (const MappedSolid& solid : mapped_) {
       const SolidTotals sum = totals(solid);
       const Point<2> v = sum.momentum / sum.mass;
-      rows.push_back({flow_.time(), solid.name, sum.center.x(), sum.center.y(), v.x(), v.y(), sum.angular_momentum, sum.mass / solid.material.density});
+      rows.push_back({flow_.time(), solid.name, sum.center.x(), sum.center.y(), v.x(), v.y(), sum.angular_momentum,
+                      sum.mass / solid.material.density});
     }
     for (std::size_t p = 0; p < tracers_.size(); ++p) {
       const int solid = solid_of(static_cast<std::ptrdiff_t>(p));
       if (solid >= 0) {
         const std::array<double, 2>& X = description_.probes[p].position;
-        if (const auto point = material_point(mapped_[static_cast<std::size_t>(solid)], {X[0], X[1]})) tracers_[p] = point->x;
+        if (const auto point = material_point(mapped_[static_cast<std::size_t>(solid)], {X[0], X[1]}))
+          tracers_[p] = point->x;
       }
       points.push_back({flow_.time(), description_.probes[p].name, tracers_[p].x(), tracers_[p].y()});
     }
@@ -226,8 +242,9 @@ class FlowRun {
     if (comm_.rank() != 0) return;
     if (!reason.empty()) std::fprintf(stderr, "mortise: %s\n", reason.c_str());
     if (options_.quiet) return;
-    std::printf("%s: %s at t = %.6g, %lld steps, %.3g s, %.1f million cell updates/s\n", description_.name.c_str(), summary.status.c_str(), summary.time,
-                static_cast<long long>(summary.steps), seconds, 1e-6 * updates_ / std::max(seconds, 1e-9));
+    std::printf("%s: %s at t = %.6g, %lld steps, %.3g s, %.1f million cell updates/s\n", description_.name.c_str(),
+                summary.status.c_str(), summary.time, static_cast<long long>(summary.steps), seconds,
+                1e-6 * updates_ / std::max(seconds, 1e-9));
     std::printf("summary   %s/summary.json\n", directory_.c_str());
     if (!last_picture_.empty()) std::printf("picture   %s\n", last_picture_.c_str());
   }
@@ -253,6 +270,8 @@ int run_flow_case(const CaseDescription& description, const RunOptions& options,
   return FlowRun(description, options, comm)();
 }
 
-void check_flow_case_runs(const CaseDescription& description, const Communicator& comm) { FlowRun(description, {}, comm); }
+void check_flow_case_runs(const CaseDescription& description, const Communicator& comm) {
+  FlowRun(description, {}, comm);
+}
 
 }  // namespace mortise

@@ -35,7 +35,8 @@ MappedCell cell_of(const MappedSolid& solid, int t, std::size_t k) {
 
 ElasticState state_of(const MappedCell& cell, const Point<2>& x) {
   const Gradient F = cell.map_gradient.inverse();
-  return {cell.velocity.x(), cell.velocity.y(), F(0, 0), F(0, 1), F(1, 0), F(1, 1), x.x() - cell.xi.x(), x.y() - cell.xi.y()};
+  return {cell.velocity.x(),   cell.velocity.y(),  F(0, 0), F(0, 1), F(1, 0), F(1, 1),
+          x.x() - cell.xi.x(), x.y() - cell.xi.y()};
 }
 
 Point<2> center_of(const MappedSolid& solid, int t, const Index<2>& c) {
@@ -43,7 +44,8 @@ Point<2> center_of(const MappedSolid& solid, int t, const Index<2>& c) {
   return solid.grid->center({first[0] + c[0], first[1] + c[1]});
 }
 
-/// visit(tile, local index, offset, cell) for the cells on this rank that hold the map, but those of its outermost layer.
+/// visit(tile, local index, offset, cell) for the cells on this rank that hold the map, but those of its outermost
+/// layer.
 template <class Visit>
 void for_each_mapped_cell(const MappedSolid& solid, Visit&& visit) {
   for_each_local_cell<2>(*solid.grid, [&](int t, const Index<2>& c, std::size_t, std::size_t k) {
@@ -120,8 +122,9 @@ std::vector<MappedSolid> mapped_solids(const Simulation<2>& simulation) {
   const ReferenceMapScene* scene = simulation.reference_map();
   if (!scene) return all;
   for (std::size_t b = 0; b < scene->maps().size(); ++b)
-    all.push_back({scene->setup().bodies[b].name, &simulation.fluid().grids().front(), scene->maps()[b].get(), scene->setup().bodies[b].material,
-                   scene->setup().blur, [&simulation](int t, std::size_t k) -> Point<2> {
+    all.push_back({scene->setup().bodies[b].name, &simulation.fluid().grids().front(), scene->maps()[b].get(),
+                   scene->setup().bodies[b].material, scene->setup().blur,
+                   [&simulation](int t, std::size_t k) -> Point<2> {
                      const TileBlock& U = simulation.fluid().fields().front().tile(t);
                      return Point<2>(U.component(1)[k], U.component(2)[k]) / U.component(0)[k];
                    }});
@@ -132,7 +135,8 @@ std::vector<MappedSolid> mapped_solids(const FlowSolids& solids, const Incompres
   std::vector<MappedSolid> all;
   for (std::size_t b = 0; b < solids.maps().size(); ++b) {
     const FlowBody& body = solids.setup().bodies[b];
-    all.push_back({body.name, &flow.grid(), solids.maps()[b].get(), Material{StressLaw::neo_hookean, body.density, 0, body.shear_modulus},
+    all.push_back({body.name, &flow.grid(), solids.maps()[b].get(),
+                   Material{StressLaw::neo_hookean, body.density, 0, body.shear_modulus},
                    solids.setup().blur * flow.grid().spacing.minCoeff(), [&flow](int t, std::size_t k) -> Point<2> {
                      return {flow.velocity().tile(t).component(0)[k], flow.velocity().tile(t).component(1)[k]};
                    }});
@@ -151,7 +155,8 @@ void add_mapped_solid(const MappedSolid& solid, Snapshot& snapshot) {
   for_each_mapped_cell(solid, [&](int t, const Index<2>& c, std::size_t, const MappedCell& cell) {
     const Index<2> first = grid.first_cell(t), index = {first[0] + c[0], first[1] + c[1]};
     mine.push_back({index, cell.phi, {}});
-    if (cell.phi < 0) mine.back().values = solid_field_values(solid.material, cell.xi, state_of(cell, grid.center(index)));
+    if (cell.phi < 0)
+      mine.back().values = solid_field_values(solid.material, cell.xi, state_of(cell, grid.center(index)));
   });
   const std::vector<Record> all = grid.forest.communicator().gather_all(mine);
   if (all.empty()) return;
@@ -181,7 +186,8 @@ void add_mapped_solid(const MappedSolid& solid, Snapshot& snapshot) {
     for (std::size_t f = 0; f < record.values.size(); ++f) out.fields[f].second[k] = record.values[f];
   }
   snapshot.grids.push_back(std::move(out));
-  for (std::vector<Point<2>>& polygon : Contours(low, {high[0] - low[0] + 1, high[1] - low[1] + 1}, std::move(phi)).polygons(grid))
+  for (std::vector<Point<2>>& polygon :
+       Contours(low, {high[0] - low[0] + 1, high[1] - low[1] + 1}, std::move(phi)).polygons(grid))
     snapshot.surfaces.push_back(std::move(polygon));
 }
 
@@ -199,7 +205,13 @@ SolidTotals totals(const MappedSolid& solid) {
     const ElasticState state = state_of(cell, x);
     if (cell.phi < 0) von_mises = std::max(von_mises, cauchy_stress_of(solid.material, state).von_mises());
     const double reference = share * det * volume, m = solid.material.density * reference;
-    return {m, m * x.x(), m * x.y(), m * v.x(), m * v.y(), m * (x.x() * v.y() - x.y() * v.x()), 0.5 * m * v.squaredNorm(),
+    return {m,
+            m * x.x(),
+            m * x.y(),
+            m * v.x(),
+            m * v.y(),
+            m * (x.x() * v.y() - x.y() * v.x()),
+            0.5 * m * v.squaredNorm(),
             reference * strain_energy_of(solid.material, state)};
   });
   const Communicator& comm = solid.grid->forest.communicator();
@@ -240,7 +252,8 @@ std::optional<MappedPoint> material_point(const MappedSolid& solid, const Point<
     ElasticState state = state_of(cell, center);
     const Point<2> d = (x - center).cwiseQuotient(grid.spacing);
     const auto s = static_cast<std::size_t>(grid.shape.stride);
-    const Point<2> slope = 0.5 * (d.x() * (solid.velocity(t, k + 1) - solid.velocity(t, k - 1)) + d.y() * (solid.velocity(t, k + s) - solid.velocity(t, k - s)));
+    const Point<2> slope = 0.5 * (d.x() * (solid.velocity(t, k + 1) - solid.velocity(t, k - 1)) +
+                                  d.y() * (solid.velocity(t, k + s) - solid.velocity(t, k - s)));
     state[0] += slope.x();
     state[1] += slope.y();
     state[6] = x.x() - X.x();

@@ -1,4 +1,5 @@
-// Solids that live on the cells of a fluid by their reference maps, for output: fields, totals, surfaces, material points.
+// Solids that live on the cells of a fluid by their reference maps, for output: fields, totals, surfaces, material
+// points.
 #pragma once
 
 #include <functional>
@@ -19,8 +20,8 @@ struct MappedSolid {
   const ComponentGrid<2>* grid;
   const BodyMap* map;
   Material material;
-  double blur;                                                     // half width of the blur zone, a length
-  std::function<Point<2>(int tile, std::size_t cell)> velocity;    // of a cell, ghosts included
+  double blur;                                                   // half width of the blur zone, a length
+  std::function<Point<2>(int tile, std::size_t cell)> velocity;  // of a cell, ghosts included
 };
 
 /// In the order of the case file; none where there is no reference map.

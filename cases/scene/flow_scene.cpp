@@ -50,7 +50,8 @@ FlowBody body_of(const CaseDescription& description, const SolidDescription& fro
   const Pose<2> pose = pose_of(from);
   body.level_set = level_set_of(description, from, spacing);
   const SolidFunction initial = solid_function(from, material_of(from), nullptr);
-  if (from.initial.kind == "formula") body.reference = [initial](const Point<2>& x) { return reference_point(initial, x); };
+  if (from.initial.kind == "formula")
+    body.reference = [initial](const Point<2>& x) { return reference_point(initial, x); };
   if (!from.actuation.empty()) {
     const auto stretch = std::make_shared<Expression>(from.actuation, std::vector<std::string>{"x", "y", "t"});
     const Eigen::Rotation2Dd back(-pose.angle);
@@ -74,13 +75,16 @@ FlowScene build_flow_scene(const CaseDescription& description) {
     flow.domain.low[k] = description.domain_low[d];
     flow.domain.high[k] = description.domain_high[d];
     flow.gravity[k] = description.gravity[d];
-    const int wanted = static_cast<int>(std::lround((flow.domain.high[k] - flow.domain.low[k]) / description.spacing()));
+    const int wanted =
+        static_cast<int>(std::lround((flow.domain.high[k] - flow.domain.low[k]) / description.spacing()));
     const int tile = description.tile[d];
-    const Tiling tiling = tile > 0 ? Tiling{(wanted + tile - 1) / tile * tile, tile} : choose_tiling(wanted, preferred_tile);
+    const Tiling tiling =
+        tile > 0 ? Tiling{(wanted + tile - 1) / tile * tile, tile} : choose_tiling(wanted, preferred_tile);
     flow.cells[d] = tiling.cells;
     flow.tile[d] = tiling.tile;
   }
-  const double spacing = (flow.domain.high - flow.domain.low).cwiseQuotient(Point<2>(flow.cells[0], flow.cells[1])).minCoeff();
+  const double spacing =
+      (flow.domain.high - flow.domain.low).cwiseQuotient(Point<2>(flow.cells[0], flow.cells[1])).minCoeff();
   const std::string* sides[] = {&description.left, &description.right, &description.bottom, &description.top};
   const Point<2> stream(description.inflow[1], description.inflow[2]);
   for (std::size_t s = 0; s < 4; ++s) {

@@ -30,15 +30,18 @@ Point<2> reference_point(const SolidFunction& initial, const Point<2>& x) {
   return Point<2>::Constant(std::numeric_limits<double>::quiet_NaN());
 }
 
-std::shared_ptr<const LevelSet> level_set_of(const CaseDescription& description, const SolidDescription& from, double spacing) {
-  const auto level_set = std::make_shared<LevelSet>(outline_of(from).centered().placed(pose_of(from)), 0.5 * spacing, band * spacing);
+std::shared_ptr<const LevelSet> level_set_of(const CaseDescription& description, const SolidDescription& from,
+                                             double spacing) {
+  const auto level_set =
+      std::make_shared<LevelSet>(outline_of(from).centered().placed(pose_of(from)), 0.5 * spacing, band * spacing);
   double deepest = 0;
   const Box<2> box = level_set->box();
   for (double y = box.low.y(); y < box.high.y(); y += 0.5 * spacing)
     for (double x = box.low.x(); x < box.high.x(); x += 0.5 * spacing) deepest = std::min(deepest, (*level_set)(x, y));
   if (-deepest < description.coupling.blur * spacing)
     throw InputError("the blur zone, " + std::to_string(description.coupling.blur) +
-                     " cells to each side, is wider than the solid, of which no point is farther than " + std::to_string(-deepest / spacing) +
+                     " cells to each side, is wider than the solid, of which no point is farther than " +
+                     std::to_string(-deepest / spacing) +
                      " cells from its surface: use a larger grid.factor or a smaller coupling.blur");
   return level_set;
 }
@@ -52,7 +55,8 @@ void refuse_what_cannot_be_mapped(const CaseDescription& description, const Soli
   if (!from.immersed() || from.gas == "inside")
     refuse("takes solids that are surrounded by gas, and " + from.name + " is not: use projection");
   if (!from.wet()) refuse("has gas around every solid, and " + from.name + " has none");
-  if (!description.bodies.empty()) refuse("moves elastic solids only, and the case has rigid bodies, too: use projection");
+  if (!description.bodies.empty())
+    refuse("moves elastic solids only, and the case has rigid bodies, too: use projection");
   if (description.riemann != "hllc") refuse("needs fluid.riemann = \"hllc\"");
 }
 
@@ -77,11 +81,12 @@ void add_mapped_solid(const CaseDescription& description, std::size_t index, dou
     const auto level_set = level_set_of(description, from, spacing);
     const auto atlas = std::make_shared<BodyAtlas>(*outline, grow(*outline, {spacing, body_layers(from.layers)}));
     shapes.push_back({atlas, outline, pose, from.place, label});
-    setup.reference_map->bodies.push_back({.name = from.name,
-                                           .material = material,
-                                           .level_set = level_set,
-                                           .reference = [initial](const Point<2>& x) { return reference_point(initial, x); },
-                                           .velocity = [initial](const Point<2>& X) { return initial(X, 0).velocity; }});
+    setup.reference_map->bodies.push_back(
+        {.name = from.name,
+         .material = material,
+         .level_set = level_set,
+         .reference = [initial](const Point<2>& x) { return reference_point(initial, x); },
+         .velocity = [initial](const Point<2>& X) { return initial(X, 0).velocity; }});
   } catch (const InputError& error) {
     throw InputError(from.place + ": " + label + ": " + error.what());
   }

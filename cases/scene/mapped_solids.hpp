@@ -9,8 +9,10 @@ namespace mortise {
 /// The material point X with X + u(X, 0) = x, by Newton's method; NaN where it does not converge.
 Point<2> reference_point(const SolidFunction& initial, const Point<2>& x);
 
-/// Of the undeformed solid where it is. Throws InputError for outlines that cannot be, and for solids thinner than their blur zone.
-std::shared_ptr<const LevelSet> level_set_of(const CaseDescription& description, const SolidDescription& from, double spacing);
+/// Of the undeformed solid where it is. Throws InputError for outlines that cannot be, and for solids thinner than
+/// their blur zone.
+std::shared_ptr<const LevelSet> level_set_of(const CaseDescription& description, const SolidDescription& from,
+                                             double spacing);
 
 /// Appends solid `index` of the description to setup.reference_map, which is made if there is none, and its outline to
 /// `shapes`. `spacing`: of the background. Throws InputError.

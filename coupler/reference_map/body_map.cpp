@@ -15,14 +15,16 @@ Field<2> empty_field(const ComponentGrid<2>& grid) {
 }
 
 void clear(TileBlock& block, std::size_t plane) {
-  for (int c = 0; c < BodyMap::components; ++c) std::fill_n(block.component(c), plane, nothing[static_cast<std::size_t>(c)]);
+  for (int c = 0; c < BodyMap::components; ++c)
+    std::fill_n(block.component(c), plane, nothing[static_cast<std::size_t>(c)]);
 }
 
 /// Weights of the parabola through −1, 0, 1 at −d.
 template <class T>
 struct Parabola {
   T before, here, after;
-  MORTISE_INLINE explicit Parabola(T d) : before(0.5 * (d * (d + 1.0))), here(1.0 - d * d), after(0.5 * (d * (d - 1.0))) {}
+  MORTISE_INLINE explicit Parabola(T d)
+      : before(0.5 * (d * (d + 1.0))), here(1.0 - d * d), after(0.5 * (d * (d - 1.0))) {}
 };
 
 /// Local tiles that hold the map.
@@ -42,7 +44,8 @@ BodyMap::BodyMap(Setup setup, const ComponentGrid<2>& grid)
       half_(empty_field(grid)),
       exchange_(grid.forest, grid.shape, components) {
   for (const int cells : grid.shape.cells)
-    if (cells < reach) throw InputError("the reference map needs tiles at least " + std::to_string(reach) + " cells wide");
+    if (cells < reach)
+      throw InputError("the reference map needs tiles at least " + std::to_string(reach) + " cells wide");
 }
 
 std::size_t BodyMap::memory_bytes() const {
@@ -91,14 +94,16 @@ bool BodyMap::initialize() {
     for_each_cell<2>(grid_.shape, 0, [&](const Index<2>& c) {
       const Index<2> first = grid_.first_cell(t);
       const Point<2> xi = setup_.initial(grid_.center({first[0] + c[0], first[1] + c[1]}));
-      if (!(xi.x() > around.low.x() && xi.x() < around.high.x() && xi.y() > around.low.y() && xi.y() < around.high.y())) return;
+      if (!(xi.x() > around.low.x() && xi.x() < around.high.x() && xi.y() > around.low.y() && xi.y() < around.high.y()))
+        return;
       const std::size_t k = grid_.shape.at(c);
       block.component(0)[k] = xi.x();
       block.component(1)[k] = xi.y();
       block.component(3)[k] = 0;
     });
     classify(block);
-    for_each_cell<2>(grid_.shape, 0, [&](const Index<2>& c) { any = any || block.component(3)[grid_.shape.at(c)] == 0; });
+    for_each_cell<2>(grid_.shape, 0,
+                     [&](const Index<2>& c) { any = any || block.component(3)[grid_.shape.at(c)] == 0; });
     if (any) now_.tile(t) = std::move(block);
   }
   fit_tiles(now_);
@@ -119,11 +124,15 @@ void BodyMap::fit_tiles(Field<2>& field) const {
     std::int64_t sides = 0;
     for (int j = 0; j < ny; ++j) {
       const double* row = layer + grid_.shape.at(0, j);
-      const auto any = [&](int from, int to) { return std::any_of(row + from, row + to, [](double x) { return x == 0; }); };
-      const bool west = any(0, std::min(reach, nx)), east = any(std::max(0, nx - reach), nx), middle = west || east || any(0, nx);
+      const auto any = [&](int from, int to) {
+        return std::any_of(row + from, row + to, [](double x) { return x == 0; });
+      };
+      const bool west = any(0, std::min(reach, nx)), east = any(std::max(0, nx - reach), nx),
+                 middle = west || east || any(0, nx);
       const auto mark = [&](int dy) {
         const int base = 3 * (dy + 1);
-        sides |= (std::int64_t{west} << base) | (std::int64_t{middle} << (base + 1)) | (std::int64_t{east} << (base + 2));
+        sides |=
+            (std::int64_t{west} << base) | (std::int64_t{middle} << (base + 1)) | (std::int64_t{east} << (base + 2));
       };
       mark(0);
       if (j < reach) mark(-1);
@@ -143,7 +152,8 @@ void BodyMap::fit_tiles(Field<2>& field) const {
         if (neighbor.kind == Neighbor::Kind::boundary) continue;
         tile = neighbor.global;
       }
-      const auto found = std::lower_bound(all.begin(), all.end(), tile, [](const Touch& a, std::int64_t b) { return a.tile < b; });
+      const auto found =
+          std::lower_bound(all.begin(), all.end(), tile, [](const Touch& a, std::int64_t b) { return a.tile < b; });
       wanted = found != all.end() && found->tile == tile && (found->sides >> (offset_count<2> - 1 - side) & 1) != 0;
     }
     if (wanted == field.tile(t).allocated()) continue;
@@ -188,10 +198,44 @@ bool BodyMap::extend_cell(TileBlock& block, std::size_t cell, double layer) cons
   return true;
 }
 
+/// From neighbours; beyond the sides of the domain linearly from the two cells there, where both hold the map.
+void BodyMap::fill_ghosts(Field<2>& field) const {
+  exchange_.fill(field, nothing);
+  const TileShape<2>& shape = grid_.shape;
+  for (const int t : held(field))
+    for (int side = 0; side < 4; ++side) {
+      const auto d = static_cast<std::size_t>(side / 2);
+      const bool high = side % 2 != 0;
+      Index<2> outward{};
+      outward[d] = high ? 1 : -1;
+      if (grid_.forest.neighbor(t, outward).kind != Neighbor::Kind::boundary) continue;
+      const std::ptrdiff_t inward = (d == 0 ? 1 : shape.stride) * (high ? -1 : 1);
+      TileBlock& block = field.tile(t);
+      // Sides of direction 1 come last and take the corners along.
+      for (int k = d == 0 ? 0 : -TileShape<2>::ghosts; k < shape.cells[1 - d] + (d == 0 ? 0 : TileShape<2>::ghosts);
+           ++k) {
+        Index<2> c{};
+        c[d] = high ? shape.cells[d] - 1 : 0;
+        c[1 - d] = k;
+        const std::size_t at = shape.at(c), next = at + static_cast<std::size_t>(inward);
+        const double layer = std::max(block.component(3)[at], block.component(3)[next]);
+        for (int far = 1; far <= TileShape<2>::ghosts; ++far) {
+          const std::size_t ghost = at - static_cast<std::size_t>(far * inward);
+          for (int n = 0; n < components; ++n) {
+            const double* q = block.component(n);
+            block.component(n)[ghost] = layer >= unknown ? nothing[static_cast<std::size_t>(n)]
+                                        : n == 3         ? std::max(layer, 1.0)
+                                                         : q[at] + far * (q[at] - q[next]);
+          }
+        }
+      }
+    }
+}
+
 void BodyMap::extend(Field<2>& field) {
   orphans_ = 0;
   const std::vector<int> tiles = held(field);
-  exchange_.fill(field, nothing);
+  fill_ghosts(field);
   const std::ptrdiff_t stride = grid_.shape.stride;
   std::vector<std::size_t> found;
   for (int number = 1; number <= layers; ++number) {
@@ -221,7 +265,7 @@ void BodyMap::extend(Field<2>& field) {
         block.component(2)[cell] = (*setup_.level_set)(block.component(0)[cell], block.component(1)[cell]);
       }
     }
-    exchange_.fill(field, nothing);
+    fill_ghosts(field);
   }
 }
 
@@ -237,7 +281,8 @@ void BodyMap::advect_tile(const TileBlock& from, TileBlock& to, const TileVeloci
     for (int i = 0; i < shape.cells[0]; i += simd_width) {
       const auto shifted = [&](const double* q) {  // τ/h q, at the middle of the way
         const Pack dx = cx * load(u + i), dy = cy * load(v + i);
-        return load(q + i) - 0.25 * (dx * (load(q + i + 1) - load(q + i - 1)) + dy * (load(q + i + s) - load(q + i - s)));
+        return load(q + i) -
+               0.25 * (dx * (load(q + i + 1) - load(q + i - 1)) + dy * (load(q + i + s) - load(q + i - s)));
       };
       const Parabola<Pack> px(cx * shifted(u)), py(cy * shifted(v));
       const Pack here = load(layer + i);
@@ -245,7 +290,9 @@ void BodyMap::advect_tile(const TileBlock& from, TileBlock& to, const TileVeloci
       store(to.component(3) + k + i, here);
       for (int c = 0; c < 2; ++c) {
         const double* q = from.component(c) + k + i;
-        const auto row = [&](const double* p) { return px.before * load(p - 1) + px.here * load(p) + px.after * load(p + 1); };
+        const auto row = [&](const double* p) {
+          return px.before * load(p - 1) + px.here * load(p) + px.after * load(p + 1);
+        };
         const Pack moved = py.before * row(q - s) + py.here * row(q) + py.after * row(q + s);
         store(to.component(c) + k + i, select(moves, moved, load(q)));
       }
@@ -278,7 +325,8 @@ bool BodyMap::admissible(const Field<2>& field) const {
       const std::size_t k = grid_.shape.at(0, j);
       const double *x = block.component(0) + k, *y = block.component(1) + k, *layer = block.component(3) + k;
       for (int i = 0; i < grid_.shape.cells[0]; ++i) {
-        const double det = (x[i + 1] - x[i - 1]) * (y[i + s] - y[i - s]) - (x[i + s] - x[i - s]) * (y[i + 1] - y[i - 1]);
+        const double det =
+            (x[i + 1] - x[i - 1]) * (y[i + s] - y[i - s]) - (x[i + s] - x[i - s]) * (y[i + 1] - y[i - 1]);
         good = good && (layer[i] != 0 || det > 0);
       }
     }

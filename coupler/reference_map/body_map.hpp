@@ -1,8 +1,8 @@
 // The reference map of one body on the tiles near it: where the material at a point came from,
 //   ξ_t + (v·∇)ξ = 0.
-// Inside the body, φ(ξ) < 0, ξ moves with the material. Around it, in a band a few cells wide, it is continued: layer by
-// layer outward, each cell from the weighted least-squares plane through those of its 24 neighbours that hold ξ already.
-// ξ keeps its values across periodic sides.
+// Inside the body, φ(ξ) < 0, ξ moves with the material. Around it, in a band a few cells wide, it is continued: layer
+// by layer outward, each cell from the weighted least-squares plane through those of its 24 neighbours that hold ξ
+// already. ξ keeps its values across periodic sides.
 #pragma once
 
 #include <functional>
@@ -70,6 +70,7 @@ class BodyMap {
   void classify(TileBlock& block) const;
   void fit_tiles(Field<2>& field) const;
   void extend(Field<2>& field);
+  void fill_ghosts(Field<2>& field) const;
   bool extend_cell(TileBlock& block, std::size_t cell, double layer) const;
   bool admissible(const Field<2>& field) const;
 

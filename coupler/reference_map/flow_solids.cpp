@@ -32,7 +32,8 @@ Stress neo_hookean(const MapGradient<double>& G, double modulus, double stretch,
   const double xx = stretch * (c * G.xx + s * G.yx), xy = stretch * (c * G.xy + s * G.yy);
   const double yx = (c * G.yx - s * G.xx) / stretch, yy = (c * G.yy - s * G.xy) / stretch;
   const double det = xx * yy - xy * yx, inverse = 1 / (det * det);
-  const double bxx = inverse * (xy * xy + yy * yy), byy = inverse * (xx * xx + yx * yx), bxy = -inverse * (xx * xy + yx * yy);
+  const double bxx = inverse * (xy * xy + yy * yy), byy = inverse * (xx * xx + yx * yx),
+               bxy = -inverse * (xx * xy + yx * yy);
   const double mean = (bxx + byy + 1) / 3;
   return {modulus * (bxx - mean), modulus * bxy, modulus * (byy - mean)};
 }
@@ -43,7 +44,8 @@ FlowSolids::FlowSolids(FlowSolidsSetup setup, const ComponentGrid<2>& grid)
     : setup_(std::move(setup)), grid_(grid), written_(static_cast<std::size_t>(grid.forest.local_count()), 0) {
   check(setup_);
   for (const FlowBody& body : setup_.bodies) {
-    BodyMap::Setup map{body.name, SolidLaw{body.density, 0, body.shear_modulus, 0, 2, true}, body.level_set, body.reference};
+    BodyMap::Setup map{body.name, SolidLaw{body.density, 0, body.shear_modulus, 0, 2, true}, body.level_set,
+                       body.reference};
     if (!map.initial) map.initial = [](const Point<2>& x) { return x; };
     maps_.push_back(std::make_unique<BodyMap>(std::move(map), grid));
   }
@@ -69,7 +71,8 @@ std::size_t FlowSolids::memory_bytes() const {
 
 void FlowSolids::begin(SolidFields& fields) {
   for (const auto& map : maps_)
-    if (!map->initialize()) throw InputError("solid " + map->name() + ": its displacement at t = 0 turns it inside out");
+    if (!map->initialize())
+      throw InputError("solid " + map->name() + ": its displacement at t = 0 turns it inside out");
   for (std::size_t a = 0; a < maps_.size(); ++a)
     for (std::size_t b = 0; b < a; ++b) {
       bool overlap = false;
@@ -81,7 +84,8 @@ void FlowSolids::begin(SolidFields& fields) {
           overlap = overlap || (one.component(2)[k] < 0 && two.component(2)[k] < 0);
         });
       }
-      if (grid_.forest.communicator().any(overlap)) throw InputError("solids " + maps_[b]->name() + " and " + maps_[a]->name() + " overlap at t = 0");
+      if (grid_.forest.communicator().any(overlap))
+        throw InputError("solids " + maps_[b]->name() + " and " + maps_[a]->name() + " overlap at t = 0");
     }
   write(false, 0, fields);
 }
@@ -161,7 +165,8 @@ void FlowSolids::write_tile(int t, bool half, double time, SolidFields& fields) 
             return anchor.center + moved + Eigen::Rotation2Dd(angle) * arm;
           };
           const double instant = 1e-5;
-          const Point<2> x = grid_.center({first[0] + i, first[1] + j}), wanted = (target(time + instant) - target(time - instant)) / (2 * instant);
+          const Point<2> x = grid_.center({first[0] + i, first[1] + j}),
+                         wanted = (target(time + instant) - target(time - instant)) / (2 * instant);
           Point<2> v = wanted;
           if (velocity_) v = {velocity_->tile(t).component(0)[k], velocity_->tile(t).component(1)[k]};
           const Point<2> pull = stiffness * (target(time) - x) + std::sqrt(stiffness) * (wanted - v);
@@ -174,10 +179,13 @@ void FlowSolids::write_tile(int t, bool half, double time, SolidFields& fields) 
 
 /// Stress and viscosity on the edges before the cells of a tile, and on those at its far side.
 void FlowSolids::add_edges(int t, int direction, std::size_t b, bool half, double time, SolidFields& fields) {
-  const auto map_of = [&](std::size_t body) -> const TileBlock& { return (half ? maps_[body]->half() : maps_[body]->field()).tile(t); };
+  const auto map_of = [&](std::size_t body) -> const TileBlock& {
+    return (half ? maps_[body]->half() : maps_[body]->field()).tile(t);
+  };
   const TileBlock& map = map_of(b);
   const FlowBody& body = setup_.bodies[b];
-  const std::ptrdiff_t stride = grid_.shape.stride, back = direction == 0 ? 1 : stride, across = direction == 0 ? stride : 1;
+  const std::ptrdiff_t stride = grid_.shape.stride, back = direction == 0 ? 1 : stride,
+                       across = direction == 0 ? stride : 1;
   const double width = setup_.blur * grid_.spacing.minCoeff(), inverse_width = 1 / width;
   const double along_step = 1 / grid_.spacing[direction], across_step = 0.25 / grid_.spacing[1 - direction];
   const double impedance = std::sqrt(body.density * body.shear_modulus);
@@ -185,7 +193,8 @@ void FlowSolids::add_edges(int t, int direction, std::size_t b, bool half, doubl
   TileBlock& stress = (direction == 0 ? fields.stress_x : fields.stress_y).tile(t);
   const double cosine = std::cos(body.axis), sine = std::sin(body.axis);
   const Index<2> first = grid_.first_cell(t);
-  const double *const x = map.component(0), *const y = map.component(1), *const phi = map.component(2), *const layer = map.component(3);
+  const double *const x = map.component(0), *const y = map.component(1), *const phi = map.component(2),
+                      *const layer = map.component(3);
   const int i_high = grid_.shape.cells[0] + (direction == 0), j_high = grid_.shape.cells[1] + (direction == 1);
   for (int j = 0; j < j_high; ++j)
     for (int i = 0; i < i_high; ++i) {
@@ -223,17 +232,22 @@ void FlowSolids::add_edges(int t, int direction, std::size_t b, bool half, doubl
         const double their_level = 0.5 * (theirs[k] + theirs[p]);
         if (!(their_level < width)) continue;
         const double modulus = std::min(body.shear_modulus, setup_.bodies[other].shear_modulus);
-        push(slope(theirs) - slope(phi), 4 * modulus * std::min(1 - level * inverse_width, 1 - their_level * inverse_width));
+        push(slope(theirs) - slope(phi),
+             4 * modulus * std::min(1 - level * inverse_width, 1 - their_level * inverse_width));
       }
       for (std::size_t side = 0; side < 4; ++side) {
         if (!setup_.walls[side]) continue;
         const int d = static_cast<int>(side / 2);
-        const double at = grid_.origin[d] + (first[static_cast<std::size_t>(d)] + (d == 0 ? i : j) + (d == direction ? 0.0 : 0.5)) * grid_.spacing[d];
-        const double end = grid_.origin[d] + (side % 2 ? grid_.cells[static_cast<std::size_t>(d)] * grid_.spacing[d] : 0.0);
+        const double at =
+            grid_.origin[d] +
+            (first[static_cast<std::size_t>(d)] + (d == 0 ? i : j) + (d == direction ? 0.0 : 0.5)) * grid_.spacing[d];
+        const double end =
+            grid_.origin[d] + (side % 2 ? grid_.cells[static_cast<std::size_t>(d)] * grid_.spacing[d] : 0.0);
         const double closeness = 1 - std::fabs(at - end) / (3 * width);
         if (closeness > 0) push(Point<2>::Unit(d), 4 * body.shear_modulus * closeness);
       }
-      // Jump between the velocities that cells on both sides have at the edge by linear reconstruction, c their component.
+      // Jump between the velocities that cells on both sides have at the edge by linear reconstruction, c their
+      // component.
       const auto upwinding = [&](int c) {
         if (!velocity_) return 0.0;
         const double* v = velocity_->tile(t).component(c) + k;

@@ -1,9 +1,11 @@
 // Neo-Hookean solids in an incompressible flow, by their reference maps (body_map.hpp): one velocity for both,
-//   σ = s (τ + τ_contact) + (1 − Σ s) μ_f (∇v + ∇vᵀ),   τ = G (F Fᵀ − ⅓ (tr F Fᵀ + 1) I),   ρ = (1 − Σ s) ρ_f + Σ s ρ_s,
-// plane strain (Rycroft, Wu, Yu & Kamrin, Journal of Fluid Mechanics 898, A9, 2020). Maps and velocities are staggered in time, as in
-// reference_map_scene.hpp, so that elastic waves need no viscosity to be stable. What is as short as the cells is damped as by the upwinding of a Riemann problem:
-// by part of the impedance times the jump of linearly reconstructed velocities, a third difference, which is nothing for
-// smooth motion and for rigid rotation, and does not limit Δt.
+//   σ = s (τ + τ_contact) + (1 − Σ s) μ_f (∇v + ∇vᵀ),   τ = G (F Fᵀ − ⅓ (tr F Fᵀ + 1) I),   ρ = (1 − Σ s) ρ_f + Σ s
+//   ρ_s,
+// plane strain (Rycroft, Wu, Yu & Kamrin, Journal of Fluid Mechanics 898, A9, 2020). Maps and velocities are staggered
+// in time, as in reference_map_scene.hpp, so that elastic waves need no viscosity to be stable. What is as short as the
+// cells is damped as by the upwinding of a Riemann problem: by part of the impedance times the jump of linearly
+// reconstructed velocities, a third difference, which is nothing for smooth motion and for rigid rotation, and does not
+// limit Δt.
 #pragma once
 
 #include <functional>
@@ -15,8 +17,8 @@
 
 namespace mortise {
 
-/// Material within `radius` of `center` (reference position) is held, by springs and dampers as stiff as the step allows, where the
-/// motion takes it: x = center + shift(t) + R(angle(t)) (ξ − center).
+/// Material within `radius` of `center` (reference position) is held, by springs and dampers as stiff as the step
+/// allows, where the motion takes it: x = center + shift(t) + R(angle(t)) (ξ − center).
 struct Anchor {
   Point<2> center = Point<2>::Zero();
   double radius = 0;
@@ -38,7 +40,7 @@ struct FlowBody {
 
 struct FlowSolidsSetup {
   std::vector<FlowBody> bodies;
-  double blur = 2;              // half width of the blur zone in cells
+  double blur = 2;  // half width of the blur zone in cells
   double fluid_density = 1, fluid_viscosity = 0;
   std::array<bool, 4> walls{};  // west, east, south, north: sides that push bodies back within 3 blur widths
 };

@@ -1,11 +1,11 @@
-// The Riemann problem at a face of cells in which gas and solids are mixed (mixture_step.hpp). With a_K = ρ_K(s_K − u_K),
-// Davis' speeds s_L, s_R of the fastest waves and the normal pressures p_K (= −t_n), the contact moves with
+// The Riemann problem at a face of cells in which gas and solids are mixed (mixture_step.hpp). With a_K = ρ_K(s_K −
+// u_K), Davis' speeds s_L, s_R of the fastest waves and the normal pressures p_K (= −t_n), the contact moves with
 //   u* = (p_R − p_L + a_L u_L − a_R u_R)/(a_L − a_R),   p* = p_K + a_K (u* − u_K),   ρ* = a_K/(s_K − u*),
-// and upwind of it the flux is that of HLLC (Toro, Riemann Solvers, 3rd ed., section 10.4). Waves of the tangential velocity
-// run at u* ± c_t, ρ*c_t² = k_t being the stiffness against shear: between them, with Z_K = √(ρ*_K k_t),
+// and upwind of it the flux is that of HLLC (Toro, Riemann Solvers, 3rd ed., section 10.4). Waves of the tangential
+// velocity run at u* ± c_t, ρ*c_t² = k_t being the stiffness against shear: between them, with Z_K = √(ρ*_K k_t),
 //   v** = (Z_L v_L + Z_R v_R)/(Z_L + Z_R),   τ** = τ + Z_L Z_R (v_R − v_L)/(Z_L + Z_R),
-// for the traction τ along the face, common to both sides; the energy there follows from its jump (Miyoshi & Kusano, Journal
-// of Computational Physics 208, 2005, solve the same five waves for magnetohydrodynamics).
+// for the traction τ along the face, common to both sides; the energy there follows from its jump (Miyoshi & Kusano,
+// Journal of Computational Physics 208, 2005, solve the same five waves for magnetohydrodynamics).
 #pragma once
 
 #include "mortise/grids/core/simd.hpp"
@@ -32,7 +32,8 @@ MORTISE_INLINE MixtureFlux<T> mixture_flux(const MixtureSide<T>& L, const Mixtur
   const T contact = ((R.pressure - L.pressure) + (al * L.normal - ar * R.normal)) / (al - ar);
   const auto left = contact >= 0;
   const auto of = [&](T l, T r) { return select(left, l, r); };
-  const T density = of(L.density, R.density), normal = of(L.normal, R.normal), tangential = of(L.tangential, R.tangential);
+  const T density = of(L.density, R.density), normal = of(L.normal, R.normal),
+          tangential = of(L.tangential, R.tangential);
   const T pressure = of(L.pressure, R.pressure), energy = of(L.energy, R.energy);
   // Beyond the fastest wave s becomes 0, and what follows the flux of the upwind state.
   const T s = of(min(sl, T{}), max(sr, T{}));
@@ -52,7 +53,8 @@ MORTISE_INLINE MixtureFlux<T> mixture_flux(const MixtureSide<T>& L, const Mixtur
   const T ct = side / max(star, T{} + 1e-300);
   const auto between = (abs(contact) < ct) & (sl < 0) & (sr > 0);
   const T over = 1.0 / select(between, z, T{} + 1.0);
-  const T v = (zl * L.tangential + zr * R.tangential) * over, tau = traction + (zl * zr * over) * (R.tangential - L.tangential);
+  const T v = (zl * L.tangential + zr * R.tangential) * over,
+          tau = traction + (zl * zr * over) * (R.tangential - L.tangential);
   const T ratio = abs(contact) / select(between, ct, T{} + 1.0);
   const T work = tau * v - traction * tangential;
   flux.tangential = select(between, flux.mass * v - tau, flux.tangential);

@@ -21,7 +21,16 @@ double* scratch(std::size_t plane, int count) {
 }
 
 /// What the solids are at the faces of one direction, Σ over bodies of s times the quantity.
-enum FaceData { normal_stress, tangential_stress, solid_mass, solid_energy, solid_pressure, normal_stiffness, tangential_stiffness, face_count };
+enum FaceData {
+  normal_stress,
+  tangential_stress,
+  solid_mass,
+  solid_energy,
+  solid_pressure,
+  normal_stiffness,
+  tangential_stiffness,
+  face_count
+};
 
 Pack share_of(Pack phi, double inverse_width) {
   Pack s{};
@@ -32,12 +41,14 @@ Pack share_of(Pack phi, double inverse_width) {
 struct Maps {
   const double *x, *y, *phi, *layer;
 };
-Maps maps_of(const TileBlock& block) { return {block.component(0), block.component(1), block.component(2), block.component(3)}; }
+Maps maps_of(const TileBlock& block) {
+  return {block.component(0), block.component(1), block.component(2), block.component(3)};
+}
 
 /// A cell and its four neighbours hold ξ.
 MORTISE_INLINE bool holds(const double* layer, std::ptrdiff_t s) {
-  return layer[0] < BodyMap::unknown && layer[-1] < BodyMap::unknown && layer[1] < BodyMap::unknown && layer[-s] < BodyMap::unknown &&
-         layer[s] < BodyMap::unknown;
+  return layer[0] < BodyMap::unknown && layer[-1] < BodyMap::unknown && layer[1] < BodyMap::unknown &&
+         layer[-s] < BodyMap::unknown && layer[s] < BodyMap::unknown;
 }
 
 template <Limiter limiter>
@@ -69,8 +80,8 @@ class MixtureKernel {
  private:
   using State = Primitive<2, Pack>;
   enum Plane {
-    faces = 0,                       // two directions
-    primitive = 2 * face_count,      // m, u, v, q, ρ⁻¹
+    faces = 0,                   // two directions
+    primitive = 2 * face_count,  // m, u, v, q, ρ⁻¹
     west = primitive + 5,
     east = west + 4,
     south = east + 4,
@@ -83,7 +94,8 @@ class MixtureKernel {
 
   /// Faces of all cells from −1 to the last but one ghost: face k lies before cell k.
   void compose_faces(int direction) const {
-    for (int what = 0; what < face_count; ++what) std::fill_n(face_plane(direction, static_cast<FaceData>(what)), plane_, 0.0);
+    for (int what = 0; what < face_count; ++what)
+      std::fill_n(face_plane(direction, static_cast<FaceData>(what)), plane_, 0.0);
     for (const TileBody& body : tile_.bodies) add_faces(direction, body);
   }
 
@@ -103,7 +115,8 @@ class MixtureKernel {
         if (horizontal_max(near) == 0) continue;
         const auto along = [&](const double* q) { return along_step * (load(q + k) - load(q + k - back)); };
         const auto aside = [&](const double* q) {
-          return across_step * ((load(q + k + across) - load(q + k - across)) + (load(q + k + across - back) - load(q + k - across - back)));
+          return across_step * ((load(q + k + across) - load(q + k - across)) +
+                                (load(q + k + across - back) - load(q + k - across - back)));
         };
         MapGradient<Pack> G;
         if (direction == 0)
@@ -132,7 +145,9 @@ class MixtureKernel {
   }
 
   void make_primitive(int j) const {
-    const double *const mass = tile_.composition->component(composition::mass), *const energy = tile_.composition->component(composition::energy);
+    const double *const mass = tile_.composition->component(composition::mass), *const energy =
+                                                                                    tile_.composition->component(
+                                                                                        composition::energy);
     for (int i = row_start; i < shape_.cells[0] + 2; i += simd_width) {
       const std::size_t k = shape_.at(i, j);
       Conserved<2, Pack> U = rows::load_conserved<2>(tile_.cells.now + k, plane_);
@@ -154,14 +169,17 @@ class MixtureKernel {
     }
   }
 
-  MORTISE_INLINE State primitive_at(std::size_t k) const { return rows::load_primitive<2>(plane(primitive) + k, plane_); }
+  MORTISE_INLINE State primitive_at(std::size_t k) const {
+    return rows::load_primitive<2>(plane(primitive) + k, plane_);
+  }
 
   /// Where there is solid, slopes are not held back by the positivity of m and q.
   MORTISE_INLINE State half_slopes(const State& before, const State& here, const State& after, PackMask pure) const {
     const State a = here - before, b = after - here;
     State h;
     h.density = half_slope<limiter>(a.density, b.density, floor_.density);
-    for (std::size_t d = 0; d < 2; ++d) h.velocity[d] = half_slope<limiter>(a.velocity[d], b.velocity[d], floor_.velocity[d]);
+    for (std::size_t d = 0; d < 2; ++d)
+      h.velocity[d] = half_slope<limiter>(a.velocity[d], b.velocity[d], floor_.velocity[d]);
     h.pressure = half_slope<limiter>(a.pressure, b.pressure, floor_.pressure);
     h.density = select(pure, limit_magnitude(h.density, 0.9 * here.density), h.density);
     h.pressure = select(pure, limit_magnitude(h.pressure, 0.9 * here.pressure), h.pressure);
@@ -175,7 +193,8 @@ class MixtureKernel {
       const std::size_t k = shape_.at(i, j);
       const PackMask pure = load(share + k) == 0;
       const State W = primitive_at(k);
-      HalfSlopes<2, Pack> h = {{half_slopes(primitive_at(k - 1), W, primitive_at(k + 1), pure), half_slopes(primitive_at(k - s), W, primitive_at(k + s), pure)}};
+      HalfSlopes<2, Pack> h = {{half_slopes(primitive_at(k - 1), W, primitive_at(k + 1), pure),
+                                half_slopes(primitive_at(k - s), W, primitive_at(k + s), pure)}};
       const Pack inverse = load(plane(primitive + 4) + k);
       State half = half_step(W, inverse, h, cartesian_terms(W, h, courant_.data()), gamma_);
       const Pack divergence = courant_[0] * h[0].velocity[0] + courant_[1] * h[1].velocity[1];
@@ -184,7 +203,8 @@ class MixtureKernel {
         const double* f = face_plane(direction, what) + k;
         return (0.5 * courant_[static_cast<std::size_t>(direction)]) * (load(f + step) - load(f));
       };
-      const Pack ax = jump(0, normal_stress, 1) + jump(1, tangential_stress, s), ay = jump(0, tangential_stress, 1) + jump(1, normal_stress, s);
+      const Pack ax = jump(0, normal_stress, 1) + jump(1, tangential_stress, s),
+                 ay = jump(0, tangential_stress, 1) + jump(1, normal_stress, s);
       half.velocity[0] = half.velocity[0] + inverse * ax;
       half.velocity[1] = half.velocity[1] + inverse * ay;
       if (horizontal_max(select(pure, broadcast(1.0), Pack{})) > 0) {
@@ -210,7 +230,8 @@ class MixtureKernel {
     S.normal = W.velocity[direction];
     S.tangential = W.velocity[1 - direction];
     S.pressure = W.pressure - at(normal_stress);
-    S.energy = (1 / (gamma_ - 1)) * W.pressure + at(solid_energy) + (0.5 * S.density) * (S.normal * S.normal + S.tangential * S.tangential);
+    S.energy = (1 / (gamma_ - 1)) * W.pressure + at(solid_energy) +
+               (0.5 * S.density) * (S.normal * S.normal + S.tangential * S.tangential);
     S.speed = sqrt((gamma_ * max(W.pressure - at(solid_pressure), Pack{}) + at(normal_stiffness)) / S.density);
     return S;
   }
@@ -223,7 +244,8 @@ class MixtureKernel {
       const std::size_t k = shape_.at(i, j);
       const State before = rows::load_primitive<2>(plane(direction == 0 ? east : north) + k - back, plane_);
       const State after = rows::load_primitive<2>(plane(direction == 0 ? west : south) + k, plane_);
-      const MixtureFlux<Pack> f = mixture_flux(side<direction>(before, k), side<direction>(after, k), load(face_plane(direction, tangential_stress) + k),
+      const MixtureFlux<Pack> f = mixture_flux(side<direction>(before, k), side<direction>(after, k),
+                                               load(face_plane(direction, tangential_stress) + k),
                                                load(face_plane(direction, tangential_stiffness) + k));
       store(F + k, f.mass);
       store(F + k + plane_, direction == 0 ? f.normal : f.tangential);
@@ -264,11 +286,12 @@ class MixtureKernel {
 }  // namespace
 
 StepResult mixture_step(const MixtureTile& tile, double dt, const StepOptions& options) {
-  return with_limiter(options.limiter, [&]<Limiter limiter>() { return MixtureKernel<limiter>(tile, dt, options).run(); });
+  return with_limiter(options.limiter,
+                      [&]<Limiter limiter>() { return MixtureKernel<limiter>(tile, dt, options).run(); });
 }
 
-void compose(const TileShape<2>& shape, const std::array<double, 2>& spacing, std::span<const TileBody> bodies, double blur,
-             TileBlock& composition) {
+void compose(const TileShape<2>& shape, const std::array<double, 2>& spacing, std::span<const TileBody> bodies,
+             double blur, TileBlock& composition) {
   for (int c = 0; c < composition::count; ++c) std::fill_n(composition.component(c), shape.plane, 0.0);
   const std::ptrdiff_t s = shape.stride;
   const double x_step = 0.5 / spacing[0], y_step = 0.5 / spacing[1], inverse_width = 1 / blur;
@@ -279,7 +302,8 @@ void compose(const TileShape<2>& shape, const std::array<double, 2>& spacing, st
         const std::size_t k = shape.at(i, j);
         if (!(map.phi[k] < blur) || !holds(map.layer + k, s)) continue;
         const double *x = map.x + k, *y = map.y + k;
-        const MapGradient<double> G = {x_step * (x[1] - x[-1]), y_step * (x[s] - x[-s]), x_step * (y[1] - y[-1]), y_step * (y[s] - y[-s])};
+        const MapGradient<double> G = {x_step * (x[1] - x[-1]), y_step * (x[s] - x[-s]), x_step * (y[1] - y[-1]),
+                                       y_step * (y[s] - y[-s])};
         if (!(G.determinant() > 0)) continue;
         const SolidPoint<double> p = solid_point(*body.law, G);
         const double share = solid_share(map.phi[k], inverse_width);
@@ -302,8 +326,10 @@ StepResult mixture_rate(const MixtureTile& tile, const StepOptions& options, dou
       const std::size_t k = shape.at(i, j);
       const double density = U[k], u = U[k + shape.plane] / density, v = U[k + 2 * shape.plane] / density;
       double& energy = U[k + 3 * shape.plane];
-      const double share = tile.composition->component(composition::share)[k], of_gas = std::max(1 - share, 0.0) * tile.pressure;
-      const double rest = energy - 0.5 * density * (u * u + v * v) - tile.composition->component(composition::energy)[k];
+      const double share = tile.composition->component(composition::share)[k],
+                   of_gas = std::max(1 - share, 0.0) * tile.pressure;
+      const double rest =
+          energy - 0.5 * density * (u * u + v * v) - tile.composition->component(composition::energy)[k];
       double p = (gamma - 1) * rest - share * tile.pressure;
       if (share > 0 && of_gas > 0 && p < least * of_gas) {
         energy += (least * of_gas - p) / (gamma - 1);

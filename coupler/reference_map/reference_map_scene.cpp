@@ -14,8 +14,14 @@ constexpr std::array<double, composition::count> no_solid{};
 
 SolidLaw law_of(const MappedBody& body, double pressure, double gamma) {
   if (body.material.law == StressLaw::linear)
-    throw InputError("solid " + body.name + ": the reference map needs a law for finite strains, neo_hookean or saint_venant_kirchhoff");
-  return {body.material.density, body.material.lambda, body.material.mu, pressure, gamma, body.material.law == StressLaw::neo_hookean};
+    throw InputError("solid " + body.name +
+                     ": the reference map needs a law for finite strains, neo_hookean or saint_venant_kirchhoff");
+  return {body.material.density,
+          body.material.lambda,
+          body.material.mu,
+          pressure,
+          gamma,
+          body.material.law == StressLaw::neo_hookean};
 }
 
 }  // namespace
@@ -27,8 +33,10 @@ ReferenceMapScene::ReferenceMapScene(ReferenceMapSetup setup, EulerSolver<2>& fl
       composition_(Field<2>::unallocated(grid().shape, composition::count, grid().forest.local_count())),
       exchange_(grid().forest, grid().shape, composition::count) {
   for (const MappedBody& body : setup_.bodies)
-    maps_.push_back(std::make_unique<BodyMap>(
-        BodyMap::Setup{body.name, law_of(body, setup_.pressure, fluid.setup().gas.gamma), body.level_set, body.reference}, grid()));
+    maps_.push_back(
+        std::make_unique<BodyMap>(BodyMap::Setup{body.name, law_of(body, setup_.pressure, fluid.setup().gas.gamma),
+                                                 body.level_set, body.reference},
+                                  grid()));
   for (std::vector<double>& component : velocity_) component.assign(grid().shape.plane, 0.0);
   fluid_.set_stepper(this);
 }
@@ -47,7 +55,9 @@ std::size_t ReferenceMapScene::memory_bytes() const {
 }
 
 bool ReferenceMapScene::covers(int tile) const {
-  return std::any_of(maps_.begin(), maps_.end(), [&](const auto& map) { return map->field().tile(tile).allocated() || map->half().tile(tile).allocated(); });
+  return std::any_of(maps_.begin(), maps_.end(), [&](const auto& map) {
+    return map->field().tile(tile).allocated() || map->half().tile(tile).allocated();
+  });
 }
 
 std::vector<TileBody> ReferenceMapScene::bodies_on(int tile, bool half) const {
@@ -64,7 +74,8 @@ CartesianTile<2> ReferenceMapScene::view(int tile) {
   return {&grid().shape, values, values, {grid().spacing.x(), grid().spacing.y()}, nullptr};
 }
 
-MixtureTile ReferenceMapScene::mixture(const CartesianTile<2>& cells, int tile, std::span<const TileBody> bodies) const {
+MixtureTile ReferenceMapScene::mixture(const CartesianTile<2>& cells, int tile,
+                                       std::span<const TileBody> bodies) const {
   return {cells, &composition_.tile(tile), bodies, setup_.blur, setup_.pressure};
 }
 
@@ -97,7 +108,8 @@ void ReferenceMapScene::compose_all() {
 
 void ReferenceMapScene::initialize(const StateFunction<2>& gas) {
   for (const auto& map : maps_)
-    if (!map->initialize()) throw InputError("solid " + map->name() + ": its displacement at t = 0 turns it inside out");
+    if (!map->initialize())
+      throw InputError("solid " + map->name() + ": its displacement at t = 0 turns it inside out");
   compose_all();
   const double gamma = fluid_.setup().gas.gamma;
   for (int t = 0; t < composition_.tiles(); ++t) {
@@ -165,7 +177,9 @@ void ReferenceMapScene::settle(double time) {
   compose_all();
   double restored = 0;
   for (int t = 0; t < composition_.tiles(); ++t)
-    if (composition_.tile(t).allocated()) fluid_.rates().front()[static_cast<std::size_t>(t)] = mixture_rate(mixture(view(t), t, {}), fluid_.setup().options, restored).rate;
+    if (composition_.tile(t).allocated())
+      fluid_.rates().front()[static_cast<std::size_t>(t)] =
+          mixture_rate(mixture(view(t), t, {}), fluid_.setup().options, restored).rate;
   restored_ += restored * grid().spacing.prod();
   if (fluid_.communicator().any(restored > 0)) fluid_.refresh(time);
 }

@@ -20,9 +20,9 @@ namespace mortise {
 struct MappedBody {
   std::string name;
   Material material;
-  std::shared_ptr<const LevelSet> level_set;                 // of its outline in the reference frame
-  std::function<Point<2>(const Point<2>& x)> reference;      // ξ at t = 0; NaN where it is not defined
-  std::function<Point<2>(const Point<2>& X)> velocity;       // at t = 0, by reference position
+  std::shared_ptr<const LevelSet> level_set;             // of its outline in the reference frame
+  std::function<Point<2>(const Point<2>& x)> reference;  // ξ at t = 0; NaN where it is not defined
+  std::function<Point<2>(const Point<2>& X)> velocity;   // at t = 0, by reference position
 };
 
 struct ReferenceMapSetup {
@@ -33,7 +33,8 @@ struct ReferenceMapSetup {
 
 class ReferenceMapScene : public TileStepper<2> {
  public:
-  /// Attaches itself to the fluid's solver, which is not owned. Throws InputError for laws other than hyperelastic ones.
+  /// Attaches itself to the fluid's solver, which is not owned. Throws InputError for laws other than hyperelastic
+  /// ones.
   ReferenceMapScene(ReferenceMapSetup setup, EulerSolver<2>& fluid, PhaseTimers& timers);
 
   /// The fluid holds gas everywhere: puts the solids into it. Throws InputError where they overlap. Collective.

@@ -15,9 +15,9 @@ namespace mortise {
 
 /// Constants of one body.
 struct SolidLaw {
-  double density, lambda, mu;        // ρ0, λ, μ
-  double pressure;                   // p̃_e
-  double gamma;                      // of the gas
+  double density, lambda, mu;  // ρ0, λ, μ
+  double pressure;             // p̃_e
+  double gamma;                // of the gas
   bool neo_hookean;
 };
 
@@ -31,8 +31,8 @@ struct MapGradient {
 /// Per volume of space.
 template <class T>
 struct SolidPoint {
-  T xx, xy, yy;            // σ
-  T density, energy;       // ρ0/J, (W + C)/J − C
+  T xx, xy, yy;              // σ
+  T density, energy;         // ρ0/J, (W + C)/J − C
   T normal_x, tangential_x;  // ρc² of waves along x: at most, and of waves that move along y; the same along y:
   T normal_y, tangential_y;
 };
@@ -53,7 +53,8 @@ MORTISE_INLINE SolidPoint<T> solid_point(const SolidLaw& law, const MapGradient<
     p.xx = det * (law.mu * bxx + own);
     p.xy = det * (law.mu * bxy);
     p.yy = det * (law.mu * byy + own);
-    p.energy = det * ((0.5 * law.mu) * (trace - 2.0) + log_j * ((0.5 * law.lambda) * log_j - law.mu)) + rest * (det - 1.0);
+    p.energy =
+        det * ((0.5 * law.mu) * (trace - 2.0) + log_j * ((0.5 * law.lambda) * log_j - law.mu)) + rest * (det - 1.0);
     const T bulk = max((law.mu + law.lambda) - law.lambda * log_j, T{});
     p.tangential_x = det * (law.mu * bxx);
     p.tangential_y = det * (law.mu * byy);
@@ -67,12 +68,15 @@ MORTISE_INLINE SolidPoint<T> solid_point(const SolidLaw& law, const MapGradient<
   p.xx = det * sxx;
   p.xy = det * sxy;
   p.yy = det * syy;
-  p.energy = det * ((0.125 * law.lambda) * ((trace - 2.0) * (trace - 2.0)) + (0.25 * law.mu) * (cxx + cyy - 2.0 * trace + 2.0)) +
+  p.energy = det * ((0.125 * law.lambda) * ((trace - 2.0) * (trace - 2.0)) +
+                    (0.25 * law.mu) * (cxx + cyy - 2.0 * trace + 2.0)) +
              rest * (det - 1.0);
   const double k = law.lambda + law.mu;
   // Γ(n) = (n·σn J) I + (λ + μ) b n ⊗ b n + μ (n·b n) b; its larger eigenvalue is at most that of its largest row sum.
-  const T xx = sxx + k * (bxx * bxx) + law.mu * (bxx * bxx), xt = sxx + k * (bxy * bxy) + law.mu * (bxx * byy), xo = abs(bxx * bxy) * (k + law.mu);
-  const T yy = syy + k * (byy * byy) + law.mu * (byy * byy), yt = syy + k * (bxy * bxy) + law.mu * (byy * bxx), yo = abs(byy * bxy) * (k + law.mu);
+  const T xx = sxx + k * (bxx * bxx) + law.mu * (bxx * bxx), xt = sxx + k * (bxy * bxy) + law.mu * (bxx * byy),
+          xo = abs(bxx * bxy) * (k + law.mu);
+  const T yy = syy + k * (byy * byy) + law.mu * (byy * byy), yt = syy + k * (bxy * bxy) + law.mu * (byy * bxx),
+          yo = abs(byy * bxy) * (k + law.mu);
   const T floor = T{} + 0.01 * law.mu;  // compressed, the law loses ellipticity
   p.normal_x = det * max(max(xx, xt) + xo, floor);
   p.tangential_x = det * max(xt, floor);

@@ -25,7 +25,9 @@ class FlowCase {
   void run(double time) {
     while (flow.time() < time) flow.advance(time - flow.time());
   }
-  Point<2> velocity(int t, std::size_t k) const { return {flow.velocity().tile(t).component(0)[k], flow.velocity().tile(t).component(1)[k]}; }
+  Point<2> velocity(int t, std::size_t k) const {
+    return {flow.velocity().tile(t).component(0)[k], flow.velocity().tile(t).component(1)[k]};
+  }
   /// ∫ρ x × v over solids and fluid, about the origin.
   double angular_momentum() const {
     double sum = 0;
@@ -33,7 +35,8 @@ class FlowCase {
       for_each_cell<2>(grid.shape, 0, [&](const Index<2>& c) {
         const Index<2> first = grid.first_cell(t);
         const Point<2> x = grid.center({first[0] + c[0], first[1] + c[1]}), v = velocity(t, grid.shape.at(c));
-        sum += flow.density()->tile(t).component(0)[grid.shape.at(c)] * (x.x() * v.y() - x.y() * v.x()) * grid.spacing.prod();
+        sum += flow.density()->tile(t).component(0)[grid.shape.at(c)] * (x.x() * v.y() - x.y() * v.x()) *
+               grid.spacing.prod();
       });
     return sum;
   }

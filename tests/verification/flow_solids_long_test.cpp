@@ -11,13 +11,15 @@ double difference(const FlowCase& coarse, const FlowCase& fine) {
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i) {
       const Point<2> x = coarse.grid.center({i, j});
-      sum += (coarse.flow.sample(x)->velocity - fine.flow.sample(x)->velocity).squaredNorm() * coarse.grid.spacing.prod();
+      sum +=
+          (coarse.flow.sample(x)->velocity - fine.flow.sample(x)->velocity).squaredNorm() * coarse.grid.spacing.prod();
     }
   return std::sqrt(sum);
 }
 
 TEST(FlowSolids, ConvergesFasterThanFirstOrder) {
-  FlowCase one("rm_convergence", {"grid.factor=4.5"}), two("rm_convergence", {"grid.factor=9"}), three("rm_convergence", {"grid.factor=18"});
+  FlowCase one("rm_convergence", {"grid.factor=4.5"}), two("rm_convergence", {"grid.factor=9"}),
+      three("rm_convergence", {"grid.factor=18"});
   for (FlowCase* run : {&one, &two, &three}) run->run(0.5);
   const double coarse = difference(one, two), fine = difference(two, three);
   EXPECT_LT(coarse, 0.03);

@@ -21,9 +21,12 @@ TEST(FlowSolids, CoarseRotorFollowsItsHubAndOvershoots) {
 }
 
 TEST(FlowSolids, SwellingMaterialTakesItsStretch) {
-  FlowCase disk("spinning_disk", {"solids.0.angular_velocity=0", "solids.0.actuation=1.1", "fluid.viscosity=0.2", "time.end=2"});
+  FlowCase disk("spinning_disk",
+                {"solids.0.angular_velocity=0", "solids.0.actuation=1.1", "fluid.viscosity=0.2", "time.end=2"});
   disk.run(2);
-  const auto at = [&](double x, double y) { return material_point(mapped_solids(disk.solids, disk.flow)[0], {x, y})->x; };
+  const auto at = [&](double x, double y) {
+    return material_point(mapped_solids(disk.solids, disk.flow)[0], {x, y})->x;
+  };
   EXPECT_NEAR(at(0.3, 0).x(), 0.33, 0.01);
   EXPECT_NEAR(at(0, 0.3).y(), 0.3 / 1.1, 0.01);
 }

@@ -31,7 +31,8 @@ TEST(ReferenceMap, UndeformedSolidsInGasAtRestStayAtRest) {
 }
 
 TEST(ReferenceMap, MassAndMomentumAreKept) {
-  CaseRun<2> run("prestrained_disk", {"grid.factor=2", "time.end=0.5", "boundaries.left=periodic", "boundaries.right=periodic", "boundaries.bottom=periodic",
+  CaseRun<2> run("prestrained_disk", {"grid.factor=2", "time.end=0.5", "boundaries.left=periodic",
+                                      "boundaries.right=periodic", "boundaries.bottom=periodic",
                                       "boundaries.top=periodic", "initial.state=[1.0, 0.3, -0.2, 0.7142857142857143]"});
   const SceneTotals<2> before = scene_totals(run.simulation);
   run.run();
@@ -59,7 +60,8 @@ std::vector<double> turns(const std::string& scheme) {
       x.push_back(0.45 + displacement_of(material, run.simulation.solids()[0]->sample(X)[0]).x());
     }
     const std::size_t n = x.size();
-    if (n > 2 && x[n - 2] < x[n - 3] && x[n - 2] <= x[n - 1] && (times.empty() || t[n - 2] > times.back() + 0.5)) times.push_back(t[n - 2]);
+    if (n > 2 && x[n - 2] < x[n - 3] && x[n - 2] <= x[n - 1] && (times.empty() || t[n - 2] > times.back() + 0.5))
+      times.push_back(t[n - 2]);
   }
   return times;
 }
@@ -87,7 +89,8 @@ TEST(ReferenceMap, ShockMovesTwoDisksAsUnderProjection) {
 TEST(ReferenceMap, ScenesOfThePartitionedSchemesRun) {
   for (const char* name : {"shock_deformable_sticks", "shock_light_ellipse"})
     for (const char* law : {"neo_hookean", "saint_venant_kirchhoff"}) {
-      CaseRun<2> run(name, mapped + Overrides{std::string("grid.factor=") + (name[6] == 'd' ? "5" : "1.5"), "time.end=0.7", std::string("solids.0.material.law=") + law});
+      CaseRun<2> run(name, mapped + Overrides{std::string("grid.factor=") + (name[6] == 'd' ? "5" : "1.5"),
+                                              "time.end=0.7", std::string("solids.0.material.law=") + law});
       run.run();
       EXPECT_TRUE(run.finished()) << name << ", " << law << ": " << run.reason();
       EXPECT_GT(least_j(mapped_solids(run.simulation)[0]), 0.5) << name;

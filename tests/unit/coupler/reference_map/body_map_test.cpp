@@ -12,11 +12,13 @@ constexpr double pi = 3.141592653589793;
 /// [−1, 1]² in tiles, a disk of radius 0.5 around (0.1, 0), and what a flow makes of it.
 class Scene {
  public:
-  explicit Scene(int cells, const std::function<Point<2>(const Point<2>&)>& velocity, std::function<Point<2>(const Point<2>&)> initial = {})
+  explicit Scene(int cells, const std::function<Point<2>(const Point<2>&)>& velocity,
+                 std::function<Point<2>(const Point<2>&)> initial = {})
       : grid("background", Communicator(), {cells, cells}, {false, false}, TileShape<2>({cells / 4, cells / 4})) {
     grid.origin = {-1, -1};
     grid.spacing = {2.0 / cells, 2.0 / cells};
-    const auto level_set = std::make_shared<LevelSet>(Outline::circle(0.5).placed({{0.1, 0}, 0}), 0.5 * grid.spacing.x(), 14 * grid.spacing.x());
+    const auto level_set = std::make_shared<LevelSet>(Outline::circle(0.5).placed({{0.1, 0}, 0}),
+                                                      0.5 * grid.spacing.x(), 14 * grid.spacing.x());
     if (!initial) initial = [](const Point<2>& x) { return x; };
     map = std::make_unique<BodyMap>(BodyMap::Setup{"disk", {1, 1, 1, 1, 1.4, true}, level_set, initial}, grid);
     EXPECT_TRUE(map->initialize());
@@ -64,7 +66,8 @@ class Scene {
     int count = 0;
     for (int t = 0; t < grid.forest.local_count(); ++t)
       if (map->field().tile(t).allocated())
-        for_each_cell<2>(grid.shape, 0, [&](const Index<2>& c) { count += map->field().tile(t).component(3)[grid.shape.at(c)] == 0; });
+        for_each_cell<2>(grid.shape, 0,
+                         [&](const Index<2>& c) { count += map->field().tile(t).component(3)[grid.shape.at(c)] == 0; });
     return count;
   }
 
@@ -77,7 +80,8 @@ TEST(BodyMap, LinearMapsAreContinuedExactly) {
   Gradient G;
   G << 0.8, 0.1, -0.2, 1.1;
   const auto map = [G](const Point<2>& x) -> Point<2> { return G * (x - Point<2>(0.1, 0)) + Point<2>(0.1, 0); };
-  const Scene scene(64, [](const Point<2>&) { return Point<2>::Zero(); }, map);
+  const Scene scene(
+      64, [](const Point<2>&) { return Point<2>::Zero(); }, map);
   EXPECT_LT(scene.error(map, BodyMap::layers), 1e-12);
   EXPECT_EQ(scene.map->orphans(), 0);
 }
@@ -113,18 +117,24 @@ TEST(BodyMap, MemoryIsThatOfTheTilesNearTheBody) {
     const Box<2> box = scene.grid.box(t);
     const Point<2> nearest = Point<2>(0.1, 0).cwiseMax(box.low).cwiseMin(box.high);
     const double reach = BodyMap::reach * scene.grid.spacing.x();
-    if ((nearest - Point<2>(0.1, 0)).norm() > 0.5 + 1.5 * reach) EXPECT_FALSE(holds) << t;
-    if ((nearest - Point<2>(0.1, 0)).norm() < 0.5) EXPECT_TRUE(holds) << t;
+    if ((nearest - Point<2>(0.1, 0)).norm() > 0.5 + 1.5 * reach) {
+      EXPECT_FALSE(holds) << t;
+    }
+    if ((nearest - Point<2>(0.1, 0)).norm() < 0.5) {
+      EXPECT_TRUE(holds) << t;
+    }
     held += holds;
   }
   EXPECT_LE(held, 12);
-  EXPECT_EQ(scene.map->memory_bytes(), static_cast<std::size_t>(held) * TileBlock(scene.grid.shape.plane, BodyMap::components).bytes());
+  EXPECT_EQ(scene.map->memory_bytes(),
+            static_cast<std::size_t>(held) * TileBlock(scene.grid.shape.plane, BodyMap::components).bytes());
 }
 
 TEST(LevelSet, IsTheDistance) {
   const LevelSet circle(Outline::circle(0.5), 0.01, 0.1);
   for (double r = 0; r < 0.58; r += 0.037)
-    for (double a = 0; a < 2 * pi; a += 0.7) EXPECT_NEAR(circle(r * std::cos(a), r * std::sin(a)), r - 0.5, r < 0.02 ? 0.01 : 1e-3 / std::max(r, 0.05) * 0.1);
+    for (double a = 0; a < 2 * pi; a += 0.7)
+      EXPECT_NEAR(circle(r * std::cos(a), r * std::sin(a)), r - 0.5, r < 0.02 ? 0.01 : 1e-3 / std::max(r, 0.05) * 0.1);
   EXPECT_GT(circle(3, 0), 2.3);
 }
 

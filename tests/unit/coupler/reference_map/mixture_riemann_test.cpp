@@ -11,7 +11,12 @@ namespace {
 constexpr double gamma = 1.4;
 
 MixtureSide<double> side(const Primitive<2>& W) {
-  return {W.density, W.velocity[0], W.velocity[1], W.pressure, to_conserved(W, gamma).energy, std::sqrt(gamma * W.pressure / W.density)};
+  return {W.density,
+          W.velocity[0],
+          W.velocity[1],
+          W.pressure,
+          to_conserved(W, gamma).energy,
+          std::sqrt(gamma * W.pressure / W.density)};
 }
 
 Primitive<2> random_gas() {
@@ -60,7 +65,9 @@ TEST(MixtureRiemann, ShearWaves) {
 TEST(MixtureRiemann, IsContinuousAcrossTheWavesOfTheTangentialVelocity) {
   const double density = 4, stiffness = 9, ct = std::sqrt(stiffness / density);
   const auto at = [&](double u) {
-    const auto of = [&](double v) { return MixtureSide<double>{density, u, v, 1, 5 + 0.5 * density * (u * u + v * v), 3}; };
+    const auto of = [&](double v) {
+      return MixtureSide<double>{density, u, v, 1, 5 + 0.5 * density * (u * u + v * v), 3};
+    };
     return mixture_flux(of(0.0), of(0.4), 0.2, stiffness);
   };
   for (const double sign : {-1.0, 1.0}) {

@@ -15,10 +15,10 @@ Gradient random_deformation() {
 
 SolidPoint<double> at(const Material& material, const Gradient& F, double pressure = 0) {
   const Gradient G = F.inverse();
-  const SolidLaw law{material.density, material.lambda, material.mu, pressure, 1.4, material.law == StressLaw::neo_hookean};
+  const SolidLaw law{
+      material.density, material.lambda, material.mu, pressure, 1.4, material.law == StressLaw::neo_hookean};
   return solid_point<double>(law, {G(0, 0), G(0, 1), G(1, 0), G(1, 1)});
 }
-
 
 RC_GTEST_PROP(SolidPoint, CauchyStressIsThatOfTheReferenceFrame, ()) {
   const Gradient F = random_deformation();
@@ -26,7 +26,8 @@ RC_GTEST_PROP(SolidPoint, CauchyStressIsThatOfTheReferenceFrame, ()) {
     const Material material{law, 3, 2, 0.7};
     const Gradient sigma = stress(material, F) * F.transpose() / F.determinant();
     const SolidPoint<double> p = at(material, F, 0.6);
-    RC_ASSERT(std::fabs(p.xx - sigma(0, 0)) < 1e-11 && std::fabs(p.xy - sigma(0, 1)) < 1e-11 && std::fabs(p.yy - sigma(1, 1)) < 1e-11);
+    RC_ASSERT(std::fabs(p.xx - sigma(0, 0)) < 1e-11 && std::fabs(p.xy - sigma(0, 1)) < 1e-11 &&
+              std::fabs(p.yy - sigma(1, 1)) < 1e-11);
     RC_ASSERT(std::fabs(p.density * F.determinant() - 3) < 1e-12);
   }
 }
