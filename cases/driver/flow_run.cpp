@@ -10,12 +10,11 @@
 #include "mortise/cases/driver/mapped_bodies.hpp"
 #include "mortise/cases/driver/output_directory.hpp"
 #include "mortise/cases/driver/progress.hpp"
+#include "mortise/cases/driver/recorder.hpp"
 #include "mortise/cases/driver/report.hpp"
-#include "mortise/cases/pictures/render.hpp"
 #include "mortise/cases/scene/flow_scene.hpp"
 #include "mortise/coupler/reference_map/flow_grid.hpp"
 #include "mortise/grids/core/error.hpp"
-#include "mortise/grids/output/atomic_file.hpp"
 #include "mortise/grids/output/csv.hpp"
 #include "mortise/grids/output/xdmf.hpp"
 
@@ -202,17 +201,7 @@ class FlowRun {
     agree(comm_, [&] {
       if (comm_.rank() != 0) return;
       if (series_) series_->write(snapshot);
-      make_folder(directory_ + "/frames");
-      for (const std::string& field : description_.pictures) {
-        RenderOptions render_options;
-        render_options.field = field;
-        render_options.width = description_.picture_width;
-        render_options.title = description_.title;
-        char name[64];
-        std::snprintf(name, sizeof name, "/frames/%s_%04d.png", field.c_str(), number);
-        write_png(render(snapshot, render_options), directory_ + name);
-        if (field == description_.pictures.front()) last_picture_ = directory_ + name;
-      }
+      last_picture_ = write_frame(snapshot, description_, directory_, number);
     });
   }
 

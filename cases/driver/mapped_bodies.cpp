@@ -216,15 +216,7 @@ SolidTotals totals(const MappedSolid& solid) {
   });
   const Communicator& comm = solid.grid->forest.communicator();
   const std::array<double, 8> sum = sums.total(comm);
-  SolidTotals all;
-  all.mass = sum[0];
-  all.center = Point<2>(sum[1], sum[2]) / sum[0];
-  all.momentum = {sum[3], sum[4]};
-  all.angular_momentum = sum[5] - (all.center.x() * sum[4] - all.center.y() * sum[3]);
-  all.kinetic_energy = sum[6];
-  all.strain_energy = sum[7];
-  all.max_von_mises = comm.max(von_mises);
-  return all;
+  return totals_of(sum, comm.max(von_mises));
 }
 
 double least_j(const MappedSolid& solid) {

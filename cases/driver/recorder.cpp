@@ -13,6 +13,24 @@
 
 namespace mortise {
 
+std::string write_frame(const Snapshot& snapshot, const CaseDescription& description, const std::string& directory,
+                        int number) {
+  std::string first;
+  make_folder(directory + "/frames");
+  for (const std::string& field : description.pictures) {
+    RenderOptions options;
+    options.field = field;
+    options.width = description.picture_width;
+    options.title = description.title;
+    char name[64];
+    std::snprintf(name, sizeof name, "/frames/%s_%04d.png", field.c_str(), number);
+    write_png(render(snapshot, options), directory + name);
+    if (first.empty()) first = directory + name;
+    if (description.dimension == 1) break;  // all fields are in one picture
+  }
+  return first;
+}
+
 template <int Dim>
 Recorder<Dim>::Recorder(const CaseDescription& description, const Simulation<Dim>& simulation, std::string directory,
                         const Communicator& comm, std::optional<double> resume_time)
@@ -55,24 +73,8 @@ void Recorder<Dim>::frame(const Simulation<Dim>& simulation, int number) {
   for (GridSnapshot& grid : snapshot.grids) grid.dimension = description_.dimension;
   write([&] {
     if (series_) series_->write(snapshot);
-    write_pictures(snapshot, number);
+    last_picture_ = write_frame(snapshot, description_, directory_, number);
   });
-}
-
-template <int Dim>
-void Recorder<Dim>::write_pictures(const Snapshot& snapshot, int number) {
-  make_folder(directory_ + "/frames");
-  for (const std::string& field : description_.pictures) {
-    RenderOptions options;
-    options.field = field;
-    options.width = description_.picture_width;
-    options.title = description_.title;
-    char name[64];
-    std::snprintf(name, sizeof name, "/frames/%s_%04d.png", field.c_str(), number);
-    write_png(render(snapshot, options), directory_ + name);
-    if (field == description_.pictures.front()) last_picture_ = directory_ + name;
-    if (description_.dimension == 1) break;  // all fields are in one picture
-  }
 }
 
 template <int Dim>

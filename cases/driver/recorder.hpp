@@ -14,6 +14,10 @@
 
 namespace mortise {
 
+/// Writes the pictures of a case as frames/<field>_NNNN.png; returns the path of the first. Throws EnvironmentError.
+std::string write_frame(const Snapshot& snapshot, const CaseDescription& description, const std::string& directory,
+                        int number);
+
 template <int Dim>
 class Recorder {
  public:
@@ -33,7 +37,6 @@ class Recorder {
 
  private:
   void write(const std::function<void()>& files);
-  void write_pictures(const Snapshot& snapshot, int number);
 
   const CaseDescription& description_;
   std::string directory_;

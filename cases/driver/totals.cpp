@@ -29,6 +29,18 @@ std::array<double, static_cast<std::size_t>(euler_components<Dim>)> totals(const
   return sums.total(fluid.communicator());
 }
 
+SolidTotals totals_of(const std::array<double, 8>& sum, double max_von_mises) {
+  SolidTotals all;
+  all.mass = sum[0];
+  all.center = Point<2>(sum[1], sum[2]) / sum[0];
+  all.momentum = {sum[3], sum[4]};
+  all.angular_momentum = sum[5] - (all.center.x() * sum[4] - all.center.y() * sum[3]);
+  all.kinetic_energy = sum[6];
+  all.strain_energy = sum[7];
+  all.max_von_mises = max_von_mises;
+  return all;
+}
+
 SolidTotals totals(const ElasticSolver& solid) {
   const Material& material = solid.setup().options.material;
   TileSums<8> sums;  // m, m x, m v, m x × v, kinetic and strain energy
@@ -55,15 +67,7 @@ SolidTotals totals(const ElasticSolver& solid) {
   }
   const Communicator& comm = solid.grids().front().forest.communicator();
   const std::array<double, 8> sum = sums.total(comm);
-  SolidTotals all;
-  all.mass = sum[0];
-  all.center = Point<2>(sum[1], sum[2]) / sum[0];
-  all.momentum = {sum[3], sum[4]};
-  all.angular_momentum = sum[5] - (all.center.x() * sum[4] - all.center.y() * sum[3]);
-  all.kinetic_energy = sum[6];
-  all.strain_energy = sum[7];
-  all.max_von_mises = comm.max(von_mises);
-  return all;
+  return totals_of(sum, comm.max(von_mises));
 }
 
 template <int Dim>

@@ -21,6 +21,8 @@ struct SolidTotals {
   double kinetic_energy = 0, strain_energy = 0;
   double max_von_mises = 0;  // over active cells
 };
+/// From the sums of m, m x (2), m v (2), m x × v, kinetic and strain energy.
+SolidTotals totals_of(const std::array<double, 8>& sum, double max_von_mises);
 /// Collective.
 SolidTotals totals(const ElasticSolver& solid);
 

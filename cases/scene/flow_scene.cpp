@@ -43,6 +43,7 @@ Anchor anchor_of(const AnchorDescription& from) {
 }
 
 FlowBody body_of(const CaseDescription& description, const SolidDescription& from, double spacing) {
+  refuse_what_cannot_be_mapped(description, from);
   FlowBody body;
   body.name = from.name;
   body.density = from.material.density;

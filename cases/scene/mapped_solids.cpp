@@ -46,8 +46,6 @@ std::shared_ptr<const LevelSet> level_set_of(const CaseDescription& description,
   return level_set;
 }
 
-namespace {
-
 void refuse_what_cannot_be_mapped(const CaseDescription& description, const SolidDescription& from) {
   const auto refuse = [&](const std::string& what) {
     throw InputError(from.place + ": scheme = \"reference-map\" " + what);
@@ -59,8 +57,6 @@ void refuse_what_cannot_be_mapped(const CaseDescription& description, const Soli
     refuse("moves elastic solids only, and the case has rigid bodies, too: use projection");
   if (description.riemann != "hllc") refuse("needs fluid.riemann = \"hllc\"");
 }
-
-}  // namespace
 
 void add_mapped_solid(const CaseDescription& description, std::size_t index, double spacing,
                       const std::shared_ptr<const ExactSolution<2>>& exact, SimulationSetup<2>& setup,

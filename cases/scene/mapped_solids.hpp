@@ -14,6 +14,9 @@ Point<2> reference_point(const SolidFunction& initial, const Point<2>& x);
 std::shared_ptr<const LevelSet> level_set_of(const CaseDescription& description, const SolidDescription& from,
                                              double spacing);
 
+/// Throws InputError for a solid, or a case, that the reference map does not take.
+void refuse_what_cannot_be_mapped(const CaseDescription& description, const SolidDescription& from);
+
 /// Appends solid `index` of the description to setup.reference_map, which is made if there is none, and its outline to
 /// `shapes`. `spacing`: of the background. Throws InputError.
 void add_mapped_solid(const CaseDescription& description, std::size_t index, double spacing,

@@ -63,12 +63,6 @@ std::int64_t FlowSolids::orphans() const {
   return sum;
 }
 
-std::size_t FlowSolids::memory_bytes() const {
-  std::size_t bytes = 0;
-  for (const auto& map : maps_) bytes += map->memory_bytes();
-  return bytes;
-}
-
 void FlowSolids::begin(SolidFields& fields) {
   for (const auto& map : maps_)
     if (!map->initialize())
@@ -111,13 +105,6 @@ void FlowSolids::half_step(const EdgeVelocities&, double time, double dt, SolidF
 void FlowSolids::full_step(const Field<2>& velocity, double time, SolidFields& fields) {
   velocity_ = &velocity;
   if (last_step_ > 0) drift(false, 0.5 * last_step_);
-  write(false, time, fields);
-}
-
-void FlowSolids::resume(const Field<2>& velocity, double time, SolidFields& fields) {
-  velocity_ = &velocity;
-  last_step_ = 0;
-  for (const auto& map : maps_) map->resume();
   write(false, time, fields);
 }
 

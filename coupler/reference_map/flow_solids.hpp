@@ -58,11 +58,8 @@ class FlowSolids : public Solids {
   const FlowSolidsSetup& setup() const { return setup_; }
   const std::vector<std::unique_ptr<BodyMap>>& maps() const { return maps_; }
   std::int64_t orphans() const;
-  std::size_t memory_bytes() const;
   /// The flow whose velocity moves the solids, until the first full step.
   void follow(const Field<2>& velocity) { velocity_ = &velocity; }
-  /// After the maps' fields were replaced from outside (restart): Collective.
-  void resume(const Field<2>& velocity, double time, SolidFields& fields);
 
  private:
   void drift(bool to_half, double time);

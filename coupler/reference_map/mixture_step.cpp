@@ -105,10 +105,9 @@ class MixtureKernel {
     const double inverse_width = 1 / tile_.blur;
     const double along_step = 1 / tile_.cells.spacing[static_cast<std::size_t>(direction)];
     const double across_step = 0.25 / tile_.cells.spacing[static_cast<std::size_t>(1 - direction)];
-    const int i_low = direction == 0 ? -1 : -1, j_low = -1;
     const int i_high = shape_.cells[0] + (direction == 0 ? 2 : 1), j_high = shape_.cells[1] + (direction == 0 ? 1 : 2);
-    for (int j = j_low; j < j_high; ++j)
-      for (int i = i_low; i < i_high; i += simd_width) {
+    for (int j = -1; j < j_high; ++j)
+      for (int i = -1; i < i_high; i += simd_width) {
         const std::size_t k = shape_.at(i, j);
         const Pack phi = 0.5 * (load(map.phi + k) + load(map.phi + k - back));
         const Pack near = select(phi < tile_.blur, broadcast(1.0), Pack{});

@@ -33,7 +33,6 @@ enum Component { mass, energy, share, stiffness, count };
 /// A body on the tile at hand: its map at the half of the step (layout of the tile).
 struct TileBody {
   const SolidLaw* law;
-  const LevelSet* level_set;
   const TileBlock* map;
 };
 

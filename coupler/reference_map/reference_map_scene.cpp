@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "mortise/fluid/cell.hpp"
 #include "mortise/grids/core/error.hpp"
@@ -64,7 +63,7 @@ std::vector<TileBody> ReferenceMapScene::bodies_on(int tile, bool half) const {
   std::vector<TileBody> bodies;
   for (const auto& map : maps_) {
     const TileBlock& block = half ? map->half().tile(tile) : map->field().tile(tile);
-    if (block.allocated()) bodies.push_back({&map->law(), &map->level_set(), &block});
+    if (block.allocated()) bodies.push_back({&map->law(), &block});
   }
   return bodies;
 }
