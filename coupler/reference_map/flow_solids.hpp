@@ -1,7 +1,6 @@
 // Neo-Hookean solids in an incompressible flow, by their reference maps (body_map.hpp): one velocity for both,
-//   σ = s (τ + τ_contact) + (1 − Σ s) μ_f (∇v + ∇vᵀ),   τ = G (F Fᵀ − ⅓ (tr F Fᵀ + 1) I),   ρ = (1 − Σ s) ρ_f + Σ s
-//   ρ_s,
-// plane strain (Rycroft, Wu, Yu & Kamrin, Journal of Fluid Mechanics 898, A9, 2020). Maps and velocities are staggered
+//   σ = s (τ + τ_contact) + (1 − Σ s) μ_f (∇v + ∇vᵀ),   τ = G (F Fᵀ − ⅓ (tr F Fᵀ + 1) I),   ρ = (1 − Σ s) ρ_f + Σ s ρ_s,
+// plane strain; for the s of tractions and of viscosity see solid_edges.cpp (Rycroft, Wu, Yu & Kamrin, Journal of Fluid Mechanics 898, A9, 2020). Maps and velocities are staggered
 // in time, as in reference_map_scene.hpp, so that elastic waves need no viscosity to be stable. What is as short as the
 // cells is damped as by the upwinding of a Riemann problem: by part of the impedance times the jump of linearly
 // reconstructed velocities, a third difference, which is nothing for smooth motion and for rigid rotation, and does not

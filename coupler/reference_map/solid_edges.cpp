@@ -5,6 +5,12 @@
 namespace mortise {
 namespace {
 
+// Where the share of a solid fades out, fluid beyond its surface would be dragged along by the solid's traction, and the
+// solid be braked by it. Therefore traction fades this part of the blur width further inside, and the fluid's viscosity
+// reaches so much deeper. Measured on rm_convergence: the error of the velocity falls from 8.8e-3 to 5.0e-3 on 90² cells,
+// from 3.5e-3 to 2.0e-3 on 180².
+constexpr double traction_inset = 0.3, viscosity_inset = 0.5;
+
 struct Stress {
   Pack xx{}, xy{}, yy{};
 };
@@ -22,6 +28,15 @@ MORTISE_INLINE Stress neo_hookean(const MapGradient<Pack>& G, double modulus, Pa
   const Pack bxx = inverse * (xy * xy + yy * yy), byy = inverse * (xx * xx + yx * yx),
              bxy = -(inverse * (xx * xy + yx * yy)), mean = (1.0 / 3) * (bxx + byy + 1.0);
   return {modulus * (bxx - mean), modulus * bxy, modulus * (byy - mean)};
+}
+
+/// τ with its traction on surfaces across n taken `traction` times, the tension along them `tension` times: so the
+/// stiffness of bars and flags against bending does not depend on the inset.
+MORTISE_INLINE Stress weighted(const Stress& tau, const Vector& n, Pack traction, Pack tension) {
+  const Pack inverse = 1.0 / max(n.x * n.x + n.y * n.y, broadcast(1e-30));
+  const Pack nxx = inverse * (n.x * n.x), nxy = inverse * (n.x * n.y), nyy = inverse * (n.y * n.y);
+  const Pack along = (tension - traction) * (nyy * tau.xx - 2.0 * nxy * tau.xy + nxx * tau.yy);
+  return {traction * tau.xx + along * nyy, traction * tau.xy - along * nxy, traction * tau.yy + along * nxx};
 }
 
 /// A pressure `amount` along n and as much tension across.
@@ -71,11 +86,11 @@ class Edges {
   MORTISE_INLINE Pack jump(const double* q) const {
     return -0.25 * ((load(q + back_) - load(q - 2 * back_)) - 3.0 * (load(q) - load(q - back_)));
   }
-  MORTISE_INLINE void add(std::size_t k, PackMask own, Pack share, const Stress& stress) const {
+  MORTISE_INLINE void add(std::size_t k, PackMask own, const Stress& stress) const {
     double *const normal = stress_.component(0) + k, *const other = stress_.component(1) + k;
     const Pack a = direction_ == 0 ? stress.xx : stress.xy, b = direction_ == 0 ? stress.xy : stress.yy;
-    store(normal, load(normal) + select(own, Pack(share * a), Pack{}));
-    store(other, load(other) + select(own, Pack(share * b), Pack{}));
+    store(normal, load(normal) + select(own, a, Pack{}));
+    store(other, load(other) + select(own, b, Pack{}));
   }
   MORTISE_INLINE void take_viscosity(std::size_t k, PackMask own, Pack amount) const {
     store(viscosity_ + k, max(load(viscosity_ + k) - select(own, amount, Pack{}), Pack{}));
@@ -128,9 +143,11 @@ void add_elastic(const EdgeSolids& tile, const EdgeBody& body) {
         else
           tau.xy = tau.xy + u, tau.yy = tau.yy + v;
       }
-      const Pack share = solid_share(level, inverse_width);
-      edges.add(k, own, share, tau);
-      edges.take_viscosity(k, own, share * tile.fluid_viscosity);
+      const Pack traction = solid_share(level + traction_inset * tile.width, inverse_width);
+      tau = weighted(tau, edges.slope(body.map->component(2) + k), traction, solid_share(level, inverse_width));
+      edges.add(k, own, tau);
+      edges.take_viscosity(k, own,
+                           tile.fluid_viscosity * solid_share(level + viscosity_inset * tile.width, inverse_width));
     });
   }
 }
@@ -147,7 +164,7 @@ void add_contact(const EdgeSolids& tile, const EdgeBody& body, const EdgeBody& o
       const Vector a = edges.slope(theirs + k), b = edges.slope(mine + k);
       const Vector n{select(own, Pack(a.x - b.x), Pack{}), select(own, Pack(a.y - b.y), Pack{})};
       const Pack overlap = min(1.0 - level * inverse_width, 1.0 - their_level * inverse_width);
-      edges.add(k, own, solid_share(level, inverse_width), push_along(n, select(own, modulus * overlap, Pack{})));
+      edges.add(k, own, push_along(n, select(own, Pack(solid_share(level, inverse_width) * (modulus * overlap)), Pack{})));
     });
   }
 }
@@ -169,7 +186,7 @@ void add_wall_push(const EdgeSolids& tile, const EdgeBody& body, std::size_t sid
       const Pack closeness = 1.0 - abs(Pack(at - end)) * (inverse_width / 3);
       own = own & (closeness > 0);
       const Vector n{broadcast(d == 0), broadcast(d == 1)};
-      edges.add(k, own, solid_share(level, inverse_width), push_along(n, modulus * closeness));
+      edges.add(k, own, push_along(n, solid_share(level, inverse_width) * (modulus * closeness)));
     });
   }
 }
