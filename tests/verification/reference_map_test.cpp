@@ -27,7 +27,7 @@ TEST(ReferenceMap, UndeformedSolidsInGasAtRestStayAtRest) {
   CaseRun<2> run("prestrained_disk", {"grid.factor=2", "solids.0.initial.kind=rest", "time.end=0.3"});
   run.run();
   ASSERT_TRUE(run.finished()) << run.reason();
-  EXPECT_LT(fastest(run.simulation), 1e-13);
+  EXPECT_LT(fastest(run.simulation), 5e-13);  // round-off
 }
 
 TEST(ReferenceMap, MassAndMomentumAreKept) {
