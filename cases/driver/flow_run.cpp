@@ -171,7 +171,7 @@ class FlowRun {
   void record() {
     std::vector<std::vector<CsvValue>> rows, points;
     for (const MappedSolid& solid : mapped_) {
-      const SolidTotals sum = totals(solid);
+      const SolidTotals sum = totals(solid, false);
       const Point<2> v = sum.momentum / sum.mass;
       rows.push_back({flow_.time(), solid.name, sum.center.x(), sum.center.y(), v.x(), v.y(), sum.angular_momentum,
                       sum.mass / solid.material.density});

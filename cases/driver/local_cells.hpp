@@ -47,6 +47,12 @@ class TileSums {
     });
   }
 
+  /// The sum of another tile (its global number), to be added to.
+  Sum& add_tile(std::size_t number, std::int64_t tile) {
+    mine_.push_back({static_cast<std::int64_t>(number), tile, {}});
+    return mine_.back().sum;
+  }
+
   /// Collective.
   Sum total(const Communicator& comm) const {
     std::map<std::pair<std::int64_t, std::int64_t>, Sum> in_order;

@@ -44,14 +44,23 @@ Point<2> center_of(const MappedSolid& solid, int t, const Index<2>& c) {
   return solid.grid->center({first[0] + c[0], first[1] + c[1]});
 }
 
-/// visit(tile, local index, offset, cell) for the cells on this rank that hold the map, but those of its outermost
-/// layer.
+constexpr double everywhere = 1e20;  // less than φ of cells without a map
+
+/// visit(tile, local index, offset, cell) for the cells on this rank that hold the map and have φ below `level`, but
+/// those of its outermost layer.
 template <class Visit>
-void for_each_mapped_cell(const MappedSolid& solid, Visit&& visit) {
-  for_each_local_cell<2>(*solid.grid, [&](int t, const Index<2>& c, std::size_t, std::size_t k) {
+void for_each_mapped_cell(const MappedSolid& solid, double level, Visit&& visit) {
+  const TileShape<2>& shape = solid.grid->shape;
+  for (int t = 0; t < solid.grid->forest.local_count(); ++t) {
     const TileBlock& map = solid.map->field().tile(t);
-    if (map.allocated() && map.component(3)[k] < BodyMap::layers) visit(t, c, k, cell_of(solid, t, k));
-  });
+    if (!map.allocated()) continue;
+    const TileWindow window = solid.map->window(t, false) & tile_cells(shape);
+    for (int j = window.low[1]; j < window.high[1]; ++j)
+      for (int i = window.low[0]; i < window.high[0]; ++i) {
+        const std::size_t k = shape.at(i, j);
+        if (map.component(3)[k] < solid.map->layers() && map.component(2)[k] < level) visit(t, Index<2>{i, j}, k, cell_of(solid, t, k));
+      }
+  }
 }
 
 constexpr double lines_across = 8;    // of the contours, over the mean width of a body
@@ -105,7 +114,7 @@ void add_mapped_solid(const MappedSolid& solid, bool contours, Snapshot& snapsho
   };
   const ComponentGrid<2>& grid = *solid.grid;
   std::vector<Record> mine;
-  for_each_mapped_cell(solid, [&](int t, const Index<2>& c, std::size_t, const MappedCell& cell) {
+  for_each_mapped_cell(solid, everywhere, [&](int t, const Index<2>& c, std::size_t, const MappedCell& cell) {
     const Index<2> first = grid.first_cell(t), index = {first[0] + c[0], first[1] + c[1]};
     mine.push_back({index, cell.phi, {cell.xi.x(), cell.xi.y()}, {}});
     if (cell.phi < 0)
@@ -145,37 +154,34 @@ void add_mapped_solid(const MappedSolid& solid, bool contours, Snapshot& snapsho
   if (contours) add_contours(solid, samples, snapshot);
 }
 
-SolidTotals totals(const MappedSolid& solid) {
-  const Field<2>& field = solid.map->field();
+SolidTotals totals(const MappedSolid& solid, bool with_stress) {
   const double volume = solid.grid->spacing.prod();
   double von_mises = 0;
   TileSums<8> sums;  // m, m x, m v, m x × v, kinetic and strain energy
-  sums.add(0, *solid.grid, [&](int t, const Index<2>& c, std::size_t k) -> std::array<double, 8> {
-    if (!field.tile(t).allocated() || !(field.tile(t).component(3)[k] < BodyMap::layers)) return {};
-    const MappedCell cell = cell_of(solid, t, k);
+  std::array<double, 8>* sum = nullptr;
+  int tile = -1;
+  for_each_mapped_cell(solid, solid.blur, [&](int t, const Index<2>& c, std::size_t, const MappedCell& cell) {
+    if (t != tile) sum = &sums.add_tile(0, solid.grid->forest.first_global() + t);
+    tile = t;
     const double share = solid_share(cell.phi, 1 / solid.blur), det = cell.map_gradient.determinant();
-    if (share == 0 || !(det > 0)) return {};
+    if (share == 0 || !(det > 0)) return;
     const Point<2> x = center_of(solid, t, c), v = cell.velocity;
+    const double reference = share * det * volume, m = solid.material.density * reference;
+    const std::array<double, 7> moments{
+        m, m * x.x(), m * x.y(), m * v.x(), m * v.y(), m * (x.x() * v.y() - x.y() * v.x()), 0.5 * m * v.squaredNorm()};
+    for (std::size_t k = 0; k < moments.size(); ++k) (*sum)[k] += moments[k];
+    if (!with_stress) return;
     const ElasticState state = state_of(cell, x);
     if (cell.phi < 0) von_mises = std::max(von_mises, cauchy_stress_of(solid.material, state).von_mises());
-    const double reference = share * det * volume, m = solid.material.density * reference;
-    return {m,
-            m * x.x(),
-            m * x.y(),
-            m * v.x(),
-            m * v.y(),
-            m * (x.x() * v.y() - x.y() * v.x()),
-            0.5 * m * v.squaredNorm(),
-            reference * strain_energy_of(solid.material, state)};
+    (*sum)[7] += reference * strain_energy_of(solid.material, state);
   });
   const Communicator& comm = solid.grid->forest.communicator();
-  const std::array<double, 8> sum = sums.total(comm);
-  return totals_of(sum, comm.max(von_mises));
+  return totals_of(sums.total(comm), comm.max(von_mises));
 }
 
 double least_j(const MappedSolid& solid) {
   double largest = 0;  // of 1/J
-  for_each_mapped_cell(solid, [&](int, const Index<2>&, std::size_t, const MappedCell& cell) {
+  for_each_mapped_cell(solid, everywhere, [&](int, const Index<2>&, std::size_t, const MappedCell& cell) {
     if (cell.phi < 0) largest = std::max(largest, cell.map_gradient.determinant());
   });
   return 1 / solid.grid->forest.communicator().max(largest);
@@ -191,7 +197,7 @@ std::optional<MappedPoint> material_point(const MappedSolid& solid, const Point<
   if (solid.map->level_set()(X.x(), X.y()) >= 0) return std::nullopt;
   const ComponentGrid<2>& grid = *solid.grid;
   std::vector<Nearest> mine;
-  for_each_mapped_cell(solid, [&](int t, const Index<2>& c, std::size_t k, const MappedCell& cell) {
+  for_each_mapped_cell(solid, everywhere, [&](int t, const Index<2>& c, std::size_t k, const MappedCell& cell) {
     const double distance = (cell.xi - X).norm();
     if (cell.layer > 1 || (!mine.empty() && !(distance < mine.back().distance))) return;
     const Point<2> center = center_of(solid, t, c), x = center + cell.map_gradient.inverse() * (X - cell.xi);

@@ -33,8 +33,9 @@ std::vector<MappedSolid> mapped_solids(const FlowSolids& solids, const Incompres
 /// of its map. Collective.
 void add_mapped_solid(const MappedSolid& solid, bool contours, Snapshot& snapshot);
 
-/// Sums over cells, weighted with the solid's share of them. Collective.
-SolidTotals totals(const MappedSolid& solid);
+/// Sums over cells, weighted with the solid's share of them; without strain energy and stress unless with_stress.
+/// Collective.
+SolidTotals totals(const MappedSolid& solid, bool with_stress = true);
 
 /// Smallest J in it. Collective.
 double least_j(const MappedSolid& solid);

@@ -86,7 +86,7 @@ struct CaseDescription {
 
   std::string fluid_kind = "gas";  // gas; incompressible: density and viscosity below, boundaries and velocities as given
   double fluid_density = 1, fluid_viscosity = 0;
-  std::string pressure_solver = "transform";  // of an incompressible fluid
+  std::string pressure_solver = "automatic";  // of an incompressible fluid
   bool incompressible() const { return fluid_kind == "incompressible"; }
   double gamma = 1.4, p_inf = 0;
   std::string limiter = "mc", riemann = "hllc";

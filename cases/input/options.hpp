@@ -15,7 +15,7 @@ inline const std::vector<std::string> limiters = {"none", "minmod", "mc", "van_a
 inline const std::vector<std::string> riemann_solvers = {"hllc", "exact", "hlle"};
 inline const std::vector<std::string> boundaries = {"inflow", "outflow", "wall", "slip_wall", "periodic", "exact"};
 inline const std::vector<std::string> fluid_kinds = {"gas", "incompressible"};
-inline const std::vector<std::string> pressure_solvers = {"transform", "hypre"};
+inline const std::vector<std::string> pressure_solvers = {"automatic", "transform", "multigrid", "hypre"};
 inline const std::vector<std::string> initial_kinds = {"uniform", "shock", "riemann", "vortex", "regions", "exact"};
 inline const std::vector<std::string> shapes = {"circle",  "ellipse", "stick", "rectangle",
                                                 "polygon", "spline",  "slab",  "half_space"};

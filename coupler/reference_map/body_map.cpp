@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "mortise/grids/core/error.hpp"
+#include "mortise/grids/core/simd.hpp"
 
 namespace mortise {
 namespace {
@@ -14,9 +16,41 @@ Field<2> empty_field(const ComponentGrid<2>& grid) {
   return Field<2>::unallocated(grid.shape, BodyMap::components, grid.forest.local_count());
 }
 
-void clear(TileBlock& block, std::size_t plane) {
+void clear_block(const TileShape<2>& shape, const TileWindow& window, TileBlock& block) {
+  if (window.empty()) return;
+  const auto width = static_cast<std::size_t>(window.high[0] - window.low[0]);
   for (int c = 0; c < BodyMap::components; ++c)
-    std::fill_n(block.component(c), plane, nothing[static_cast<std::size_t>(c)]);
+    for (int j = window.low[1]; j < window.high[1]; ++j)
+      std::fill_n(block.component(c) + shape.at(window.low[0], j), width, nothing[static_cast<std::size_t>(c)]);
+}
+
+/// visit(offset, lanes that count) for the cells of a window, a vector at a time.
+template <class Visit>
+void for_packs(const TileShape<2>& shape, const TileWindow& window, Visit visit) {
+  for (int j = window.low[1]; j < window.high[1]; ++j)
+    for (int i = window.low[0]; i < window.high[0]; i += simd_width)
+      visit(shape.at(i, j), lanes_below(window.high[0] - i));
+}
+
+/// Cells of these lanes hold nothing from now on.
+MORTISE_INLINE void empty(TileBlock& block, std::size_t k, PackMask lanes) {
+  for (int n = 0; n < BodyMap::components; ++n) {
+    double* const q = block.component(n) + k;
+    store(q, select(lanes, broadcast(nothing[static_cast<std::size_t>(n)]), load(q)));
+  }
+}
+
+/// The smallest window around the cells inside the body.
+TileWindow inside_of(const TileShape<2>& shape, const TileWindow& window, const TileBlock& block) {
+  TileWindow box;
+  for (int j = window.low[1]; j < window.high[1]; ++j) {
+    const double* const layer = block.component(3) + shape.at(0, j);
+    int first = window.low[0], last = window.high[0];
+    while (first < last && layer[first] != 0) ++first;
+    while (first < last && layer[last - 1] != 0) --last;
+    box = box | TileWindow{{first, j}, {last, j + 1}};
+  }
+  return box;
 }
 
 /// Weights of the parabola through −1, 0, 1 at −d.
@@ -35,6 +69,8 @@ std::vector<int> held(const Field<2>& field) {
   return tiles;
 }
 
+std::size_t index(int tile) { return static_cast<std::size_t>(tile); }
+
 }  // namespace
 
 BodyMap::BodyMap(Setup setup, const ComponentGrid<2>& grid)
@@ -42,10 +78,12 @@ BodyMap::BodyMap(Setup setup, const ComponentGrid<2>& grid)
       grid_(grid),
       now_(empty_field(grid)),
       half_(empty_field(grid)),
+      now_windows_(index(grid.forest.local_count())),
+      half_windows_(now_windows_),
       exchange_(grid.forest, grid.shape, components) {
   for (const int cells : grid.shape.cells)
-    if (cells < reach)
-      throw InputError("the reference map needs tiles at least " + std::to_string(reach) + " cells wide");
+    if (cells < reach())
+      throw InputError("the reference map needs tiles at least " + std::to_string(reach()) + " cells wide");
 }
 
 std::size_t BodyMap::memory_bytes() const {
@@ -54,45 +92,29 @@ std::size_t BodyMap::memory_bytes() const {
   return bytes;
 }
 
+void BodyMap::clear(Field<2>& field, const Windows& windows) const {
+  for (const int t : held(field)) clear_block(grid_.shape, windows[index(t)], field.tile(t));
+}
+
 void BodyMap::resume() {
   for (const int t : held(now_)) {
     TileBlock& block = now_.tile(t);
-    for_each_cell<2>(grid_.shape, 0, [&](const Index<2>& c) {
-      const std::size_t k = grid_.shape.at(c);
-      if (block.component(3)[k] == 0) return;
-      for (int n = 0; n < components; ++n) block.component(n)[k] = nothing[static_cast<std::size_t>(n)];
-    });
+    now_windows_[index(t)] = tile_cells_and_ghosts(grid_.shape);
+    for_packs(grid_.shape, now_windows_[index(t)],
+              [&](std::size_t k, PackMask own) { empty(block, k, own & (load(block.component(3) + k) != 0)); });
   }
-  fit_tiles(now_);
-  extend(now_);
-}
-
-/// Sets φ and tells inside from outside, from ξ; cells that are neither inside nor next to it hold no ξ from now on.
-void BodyMap::classify(TileBlock& block) const {
-  const LevelSet& level_set = *setup_.level_set;
-  for_each_cell<2>(grid_.shape, 0, [&](const Index<2>& c) {
-    const std::size_t k = grid_.shape.at(c);
-    double& layer = block.component(3)[k];
-    double& phi = block.component(2)[k];
-    if (layer <= 2) {
-      phi = level_set(block.component(0)[k], block.component(1)[k]);
-      if (phi < 0) {
-        layer = 0;
-        return;
-      }
-    }
-    for (int n = 0; n < components; ++n) block.component(n)[k] = nothing[static_cast<std::size_t>(n)];
-  });
+  settle();
 }
 
 bool BodyMap::initialize() {
   const Box<2> around = setup_.level_set->box();
   for (int t = 0; t < now_.tiles(); ++t) {
-    TileBlock block(grid_.shape.plane, components);
-    clear(block, grid_.shape.plane);
-    bool any = false;
+    now_.allocate(t);
+    now_windows_[index(t)] = tile_cells_and_ghosts(grid_.shape);
+    TileBlock& block = now_.tile(t);
+    clear_block(grid_.shape, now_windows_[index(t)], block);
+    const Index<2> first = grid_.first_cell(t);
     for_each_cell<2>(grid_.shape, 0, [&](const Index<2>& c) {
-      const Index<2> first = grid_.first_cell(t);
       const Point<2> xi = setup_.initial(grid_.center({first[0] + c[0], first[1] + c[1]}));
       if (!(xi.x() > around.low.x() && xi.x() < around.high.x() && xi.y() > around.low.y() && xi.y() < around.high.y()))
         return;
@@ -101,237 +123,222 @@ bool BodyMap::initialize() {
       block.component(1)[k] = xi.y();
       block.component(3)[k] = 0;
     });
-    classify(block);
-    for_each_cell<2>(grid_.shape, 0,
-                     [&](const Index<2>& c) { any = any || block.component(3)[grid_.shape.at(c)] == 0; });
-    if (any) now_.tile(t) = std::move(block);
+    classify(block, tile_cells(grid_.shape));
   }
-  fit_tiles(now_);
-  extend(now_);
-  return admissible(now_);
+  settle();
+  return admissible(now_, now_windows_);
 }
 
-/// Tiles within `reach` of a cell inside hold the map, others do not.
-void BodyMap::fit_tiles(Field<2>& field) const {
-  struct Touch {
-    std::int64_t tile;
-    std::int64_t sides;  // bit k: a cell inside is within reach of the neighbour at offset_of<2>(k)
-  };
-  const int nx = grid_.shape.cells[0], ny = grid_.shape.cells[1];
-  std::vector<Touch> mine;
-  for (const int t : held(field)) {
-    const double* layer = field.tile(t).component(3);
-    std::int64_t sides = 0;
-    for (int j = 0; j < ny; ++j) {
-      const double* row = layer + grid_.shape.at(0, j);
-      const auto any = [&](int from, int to) {
-        return std::any_of(row + from, row + to, [](double x) { return x == 0; });
-      };
-      const bool west = any(0, std::min(reach, nx)), east = any(std::max(0, nx - reach), nx),
-                 middle = west || east || any(0, nx);
-      const auto mark = [&](int dy) {
-        const int base = 3 * (dy + 1);
-        sides |=
-            (std::int64_t{west} << base) | (std::int64_t{middle} << (base + 1)) | (std::int64_t{east} << (base + 2));
-      };
-      mark(0);
-      if (j < reach) mark(-1);
-      if (j >= ny - reach) mark(1);
-    }
-    mine.push_back({grid_.forest.first_global() + t, sides});
-  }
-  std::vector<Touch> all = grid_.forest.communicator().gather_all(mine);
-  std::sort(all.begin(), all.end(), [](const Touch& a, const Touch& b) { return a.tile < b.tile; });
+/// Sets φ and tells inside from outside, from ξ; cells that are neither inside nor next to it hold no ξ from now on.
+void BodyMap::classify(TileBlock& block, const TileWindow& window) const {
+  for_packs(grid_.shape, window, [&](std::size_t k, PackMask own) {
+    const Pack layer = load(block.component(3) + k);
+    if (!any(own & (layer < unknown))) return;
+    const Pack phi = (*setup_.level_set)(load(block.component(0) + k), load(block.component(1) + k));
+    const PackMask inside = own & (layer <= 2) & (phi < 0);
+    store(block.component(2) + k, select(inside, phi, load(block.component(2) + k)));
+    store(block.component(3) + k, select(inside, Pack{}, layer));
+    empty(block, k, own & ~inside);
+  });
+}
+
+/// φ of the cells that hold ξ, from `first_layer` on.
+void BodyMap::measure(TileBlock& block, const TileWindow& window, double first_layer) const {
+  for_packs(grid_.shape, window, [&](std::size_t k, PackMask own) {
+    const Pack layer = load(block.component(3) + k);
+    double* const phi = block.component(2) + k;
+    own = own & (layer >= first_layer) & (layer < unknown);
+    if (any(own)) store(phi, select(own, (*setup_.level_set)(load(block.component(0) + k), load(block.component(1) + k)), load(phi)));
+  });
+}
+
+/// Tiles with cells in the new windows, around the cells inside, hold the map, others do not.
+void BodyMap::move_windows(Field<2>& field, Windows& windows) const {
+  const TileWindow cells = tile_cells(grid_.shape);
+  Windows boxes(windows.size());
+  for (const int t : held(field)) boxes[index(t)] = inside_of(grid_.shape, windows[index(t)] & cells, field.tile(t));
+  windows = windows_around(grid_, boxes, reach());
   for (int t = 0; t < field.tiles(); ++t) {
-    bool wanted = false;
-    for (int side = 0; side < offset_count<2> && !wanted; ++side) {
-      const Index<2> offset = offset_of<2>(side);
-      std::int64_t tile = grid_.forest.first_global() + t;
-      if (side != 4) {
-        const Neighbor& neighbor = grid_.forest.neighbor(t, offset);
-        if (neighbor.kind == Neighbor::Kind::boundary) continue;
-        tile = neighbor.global;
-      }
-      const auto found =
-          std::lower_bound(all.begin(), all.end(), tile, [](const Touch& a, std::int64_t b) { return a.tile < b; });
-      wanted = found != all.end() && found->tile == tile && (found->sides >> (offset_count<2> - 1 - side) & 1) != 0;
-    }
+    TileWindow& window = windows[index(t)];
+    const bool wanted = !(window & cells).empty();
+    if (!wanted) window = {};
     if (wanted == field.tile(t).allocated()) continue;
     if (wanted) {
       field.allocate(t);
-      clear(field.tile(t), grid_.shape.plane);
+      clear_block(grid_.shape, tile_cells_and_ghosts(grid_.shape), field.tile(t));
     } else {
       field.tile(t).release();
     }
   }
 }
 
-/// ξ of a cell from its 24 neighbours. False when too few of them hold it.
-bool BodyMap::extend_cell(TileBlock& block, std::size_t cell, double layer) const {
-  const double *const x = block.component(0), *const y = block.component(1), *const known = block.component(3);
-  const std::ptrdiff_t stride = grid_.shape.stride;
-  // Normal equations of ξ ≈ a + b·(i, j), weights 1/(i² + j²)².
-  double w = 0, wi = 0, wj = 0, wii = 0, wij = 0, wjj = 0;
-  std::array<std::array<double, 3>, 2> right{};
-  for (int j = -2; j <= 2; ++j)
-    for (int i = -2; i <= 2; ++i) {
-      const std::size_t k = cell + static_cast<std::size_t>(j * stride + i);
-      if (!(known[k] < layer)) continue;
-      const double r2 = i * i + j * j, weight = 1 / (r2 * r2);
-      w += weight, wi += weight * i, wj += weight * j;
-      wii += weight * i * i, wij += weight * i * j, wjj += weight * j * j;
-      for (std::size_t c = 0; c < 2; ++c) {
-        const double value = weight * (c == 0 ? x[k] : y[k]);
-        right[c][0] += value, right[c][1] += value * i, right[c][2] += value * j;
-      }
+/// After the cells inside hold ξ: the band around them.
+void BodyMap::settle() {
+  move_windows(now_, now_windows_);
+  extend();
+}
+
+void BodyMap::extend() {
+  const std::vector<int> tiles = held(now_);
+  const TileWindow cells = tile_cells(grid_.shape);
+  orphans_ = 0;
+  fill_ghosts(now_, now_windows_);
+  for (int number = 1; number <= layers(); ++number) {
+    for (const int t : tiles) {
+      const int orphans = extend_layer(grid_.shape, now_windows_[index(t)] & cells, number, now_.tile(t));
+      if (number <= 2) orphans_ += orphans;
     }
-  if (w == 0) return false;
-  // Moments about the mean; the value at (0, 0) is mean − slope · mean position.
-  const double mi = wi / w, mj = wj / w, cii = wii - wi * mi, cij = wij - wi * mj, cjj = wjj - wj * mj;
-  const double det = cii * cjj - cij * cij;
-  if (!(det > 1e-3 * w * w)) return false;
-  for (std::size_t c = 0; c < 2; ++c) {
-    const double mean = right[c][0] / w, ri = right[c][1] - right[c][0] * mi, rj = right[c][2] - right[c][0] * mj;
-    const double bi = (cjj * ri - cij * rj) / det, bj = (cii * rj - cij * ri) / det;
-    block.component(static_cast<int>(c))[cell] = mean - bi * mi - bj * mj;
+    fill_ghosts(now_, now_windows_);
   }
-  return true;
+  for (const int t : tiles) measure(now_.tile(t), now_windows_[index(t)], 1);
 }
 
 /// From neighbours; beyond the sides of the domain linearly from the two cells there, where both hold the map.
-void BodyMap::fill_ghosts(Field<2>& field) const {
-  exchange_.fill(field, nothing);
-  const TileShape<2>& shape = grid_.shape;
-  for (const int t : held(field))
+void BodyMap::fill_ghosts(Field<2>& field, const Windows& windows) const {
+  const bool alone = grid_.forest.communicator().size() == 1;
+  if (!alone) exchange_.fill(field, nothing);
+  for (const int t : held(field)) {
+    if (alone)
+      for (int side = 0; side < offset_count<2>; ++side) copy_ghosts(field, t, offset_of<2>(side), windows[index(t)]);
+    // Sides of direction 1 come last and take the corners along.
     for (int side = 0; side < 4; ++side) {
-      const auto d = static_cast<std::size_t>(side / 2);
-      const bool high = side % 2 != 0;
       Index<2> outward{};
-      outward[d] = high ? 1 : -1;
-      if (grid_.forest.neighbor(t, outward).kind != Neighbor::Kind::boundary) continue;
-      const std::ptrdiff_t inward = (d == 0 ? 1 : shape.stride) * (high ? -1 : 1);
-      TileBlock& block = field.tile(t);
-      // Sides of direction 1 come last and take the corners along.
-      for (int k = d == 0 ? 0 : -TileShape<2>::ghosts; k < shape.cells[1 - d] + (d == 0 ? 0 : TileShape<2>::ghosts);
-           ++k) {
-        Index<2> c{};
-        c[d] = high ? shape.cells[d] - 1 : 0;
-        c[1 - d] = k;
-        const std::size_t at = shape.at(c), next = at + static_cast<std::size_t>(inward);
-        const double layer = std::max(block.component(3)[at], block.component(3)[next]);
-        for (int far = 1; far <= TileShape<2>::ghosts; ++far) {
-          const std::size_t ghost = at - static_cast<std::size_t>(far * inward);
-          for (int n = 0; n < components; ++n) {
-            const double* q = block.component(n);
-            block.component(n)[ghost] = layer >= unknown ? nothing[static_cast<std::size_t>(n)]
-                                        : n == 3         ? std::max(layer, 1.0)
-                                                         : q[at] + far * (q[at] - q[next]);
-          }
-        }
-      }
+      outward[static_cast<std::size_t>(side / 2)] = side % 2 != 0 ? 1 : -1;
+      if (grid_.forest.neighbor(t, outward).kind == Neighbor::Kind::boundary)
+        fill_ghosts_beyond(field.tile(t), outward, windows[index(t)]);
     }
-}
-
-void BodyMap::extend(Field<2>& field) {
-  orphans_ = 0;
-  const std::vector<int> tiles = held(field);
-  fill_ghosts(field);
-  const std::ptrdiff_t stride = grid_.shape.stride;
-  std::vector<std::size_t> found;
-  for (int number = 1; number <= layers; ++number) {
-    const double layer = number;
-    for (const int t : tiles) {
-      TileBlock& block = field.tile(t);
-      double* known = block.component(3);
-      found.clear();
-      for (int j = 0; j < grid_.shape.cells[1]; ++j) {
-        const double* row = known + grid_.shape.at(0, j);
-        for (int i = 0; i < grid_.shape.cells[0]; i += simd_width) {
-          Pack least = broadcast(unknown);
-          for (const std::ptrdiff_t dj : {-stride, std::ptrdiff_t{0}, stride})
-            for (const int di : {-1, 0, 1}) least = min(least, load(row + dj + i + di));
-          const Pack here = load(row + i);
-          for (int l = 0; l < simd_width && i + l < grid_.shape.cells[0]; ++l)
-            if (here[l] == unknown && least[l] < layer) found.push_back(grid_.shape.at(i + l, j));
-        }
-      }
-      std::size_t kept = 0;
-      for (const std::size_t cell : found)
-        if (extend_cell(block, cell, layer)) found[kept++] = cell;
-      if (number <= 2) orphans_ += static_cast<std::int64_t>(found.size() - kept);
-      found.resize(kept);
-      for (const std::size_t cell : found) {
-        known[cell] = layer;
-        block.component(2)[cell] = (*setup_.level_set)(block.component(0)[cell], block.component(1)[cell]);
-      }
-    }
-    fill_ghosts(field);
   }
 }
 
-/// ξ(x) ← ξ(x − d), d = τ v(x − ½τ v(x)), by the biquadratic through 9 cells.
-void BodyMap::advect_tile(const TileBlock& from, TileBlock& to, const TileVelocity& velocity, double time) const {
+/// From the neighbour at `offset`, on this rank.
+void BodyMap::copy_ghosts(Field<2>& field, int tile, const Index<2>& offset, const TileWindow& window) const {
   const TileShape<2>& shape = grid_.shape;
+  const Index<2> shift{offset[0] * shape.cells[0], offset[1] * shape.cells[1]};
+  const TileWindow ghosts = tile_cells(shape).moved(shift) & window;
+  if (offset == Index<2>{0, 0} || ghosts.empty()) return;
+  const Neighbor& neighbor = grid_.forest.neighbor(tile, offset);
+  if (neighbor.kind == Neighbor::Kind::boundary) return;
+  TileBlock& here = field.tile(tile);
+  const TileBlock& there = field.tile(neighbor.local);
+  if (!there.allocated()) {
+    clear_block(shape, ghosts, here);
+    return;
+  }
+  const auto width = static_cast<std::size_t>(ghosts.high[0] - ghosts.low[0]);
+  for (int c = 0; c < components; ++c)
+    for (int j = ghosts.low[1]; j < ghosts.high[1]; ++j)
+      std::copy_n(there.component(c) + shape.at(ghosts.low[0] - shift[0], j - shift[1]), width,
+                  here.component(c) + shape.at(ghosts.low[0], j));
+}
+
+void BodyMap::fill_ghosts_beyond(TileBlock& block, const Index<2>& outward, const TileWindow& window) const {
+  const TileShape<2>& shape = grid_.shape;
+  const std::size_t d = outward[0] != 0 ? 0 : 1;
+  const bool high = outward[d] > 0;
+  if (high ? window.high[d] <= shape.cells[d] : window.low[d] >= 0) return;
+  const std::ptrdiff_t inward = (d == 0 ? 1 : shape.stride) * -outward[d];
+  for (int k = window.low[1 - d]; k < window.high[1 - d]; ++k) {
+    Index<2> c{};
+    c[d] = high ? shape.cells[d] - 1 : 0;
+    c[1 - d] = k;
+    const std::size_t at = shape.at(c), next = at + static_cast<std::size_t>(inward);
+    const double layer = std::max(block.component(3)[at], block.component(3)[next]);
+    for (int far = 1; far <= TileShape<2>::ghosts; ++far) {
+      const std::size_t ghost = at - static_cast<std::size_t>(far * inward);
+      for (int n = 0; n < components; ++n) {
+        const double* q = block.component(n);
+        block.component(n)[ghost] = layer >= unknown ? nothing[static_cast<std::size_t>(n)]
+                                    : n == 3         ? std::max(layer, 1.0)
+                                                     : q[at] + far * (q[at] - q[next]);
+      }
+    }
+  }
+}
+
+/// ξ(x) ← ξ(x − d), d = τ v(x − ½τ v(x)), by the biquadratic through 9 cells, in the body and `last_layer` layers.
+void BodyMap::advect_tile(int tile, const Field<2>& field, Field<2>& to_field, const TileVelocity& velocity,
+                          double time, double last_layer) const {
+  const TileShape<2>& shape = grid_.shape;
+  const TileBlock& from = field.tile(tile);
+  TileBlock& to = to_field.tile(tile);
   const std::ptrdiff_t s = shape.stride;
   const double cx = time / grid_.spacing.x(), cy = time / grid_.spacing.y();
-  for (int j = 0; j < shape.cells[1]; ++j) {
+  const TileWindow window =
+      (&field == &now_ ? now_windows_ : half_windows_)[index(tile)] & tile_cells(shape);
+  for (int j = window.low[1]; j < window.high[1]; ++j) {
     const std::size_t k = shape.at(0, j);
     const double* layer = from.component(3) + k;
     const double *u = velocity.u + j * s, *v = velocity.v + j * s;
-    for (int i = 0; i < shape.cells[0]; i += simd_width) {
+    for (int i = window.low[0]; i < window.high[0]; i += simd_width) {
+      const Pack here = load(layer + i);
+      const PackMask moves = (here < last_layer + 0.5) & lanes_below(window.high[0] - i);
       const auto shifted = [&](const double* q) {  // τ/h q, at the middle of the way
         const Pack dx = cx * load(u + i), dy = cy * load(v + i);
         return load(q + i) -
                0.25 * (dx * (load(q + i + 1) - load(q + i - 1)) + dy * (load(q + i + s) - load(q + i - s)));
       };
       const Parabola<Pack> px(cx * shifted(u)), py(cy * shifted(v));
-      const Pack here = load(layer + i);
-      const PackMask moves = here < 3.5;
-      store(to.component(3) + k + i, here);
+      double* const known = to.component(3) + k + i;
+      store(known, select(moves, here, load(known)));
       for (int c = 0; c < 2; ++c) {
         const double* q = from.component(c) + k + i;
+        double* const out = to.component(c) + k + i;
         const auto row = [&](const double* p) {
           return px.before * load(p - 1) + px.here * load(p) + px.after * load(p + 1);
         };
-        const Pack moved = py.before * row(q - s) + py.here * row(q) + py.after * row(q + s);
-        store(to.component(c) + k + i, select(moves, moved, load(q)));
+        store(out, select(moves, Pack(py.before * row(q - s) + py.here * row(q) + py.after * row(q + s)), load(out)));
       }
     }
   }
 }
 
-bool BodyMap::drift(const Field<2>& from, Field<2>& to, double time, const Velocity& velocity) {
-  for (int t = 0; t < from.tiles(); ++t) {
-    if (!from.tile(t).allocated()) {
-      to.tile(t).release();
+/// The band moves along: half a step of the flow beside the body's own is not worth a new one.
+bool BodyMap::drift_to_half(double time, const Velocity& velocity) {
+  clear(half_, half_windows_);
+  half_windows_ = now_windows_;
+  for (int t = 0; t < now_.tiles(); ++t) {
+    if (!now_.tile(t).allocated()) {
+      half_.tile(t).release();
       continue;
     }
-    if (!to.tile(t).allocated()) to.allocate(t);
-    clear(to.tile(t), grid_.shape.plane);
-    advect_tile(from.tile(t), to.tile(t), velocity(t), time);
-    classify(to.tile(t));
+    if (!half_.tile(t).allocated()) {
+      half_.allocate(t);
+      clear_block(grid_.shape, tile_cells_and_ghosts(grid_.shape), half_.tile(t));
+    }
+    advect_tile(t, now_, half_, velocity(t), time, layers() - 1);
+    measure(half_.tile(t), half_windows_[index(t)] & tile_cells(grid_.shape), 0);
   }
-  fit_tiles(to);
-  extend(to);
-  return admissible(to);
+  fill_ghosts(half_, half_windows_);
+  return admissible(half_, half_windows_);
 }
 
-bool BodyMap::admissible(const Field<2>& field) const {
-  bool good = true;
+bool BodyMap::drift_to_end(double time, const Velocity& velocity) {
+  clear(now_, now_windows_);
+  for (const int t : held(half_)) {
+    advect_tile(t, half_, now_, velocity(t), time, 3);
+    classify(now_.tile(t), now_windows_[index(t)] & tile_cells(grid_.shape));
+  }
+  settle();
+  return admissible(now_, now_windows_);
+}
+
+bool BodyMap::admissible(const Field<2>& field, const Windows& windows) const {
   const std::ptrdiff_t s = grid_.shape.stride;
+  PackMask bad{};
   for (const int t : held(field)) {
     const TileBlock& block = field.tile(t);
-    for (int j = 0; j < grid_.shape.cells[1]; ++j) {
-      const std::size_t k = grid_.shape.at(0, j);
-      const double *x = block.component(0) + k, *y = block.component(1) + k, *layer = block.component(3) + k;
-      for (int i = 0; i < grid_.shape.cells[0]; ++i) {
-        const double det =
-            (x[i + 1] - x[i - 1]) * (y[i + s] - y[i - s]) - (x[i + s] - x[i - s]) * (y[i + 1] - y[i - 1]);
-        good = good && (layer[i] != 0 || det > 0);
+    const TileWindow window = windows[index(t)] & tile_cells(grid_.shape);
+    for (int j = window.low[1]; j < window.high[1]; ++j)
+      for (int i = window.low[0]; i < window.high[0]; i += simd_width) {
+        const std::size_t k = grid_.shape.at(i, j);
+        const double *x = block.component(0) + k, *y = block.component(1) + k;
+        const Pack det = (load(x + 1) - load(x - 1)) * (load(y + s) - load(y - s)) -
+                         (load(x + s) - load(x - s)) * (load(y + 1) - load(y - 1));
+        const PackMask inside = (load(block.component(3) + k) == 0) & lanes_below(window.high[0] - i);
+        bad |= inside & ~(det > 0);
       }
-    }
   }
-  return !grid_.forest.communicator().any(!good);
+  return !grid_.forest.communicator().any(any(bad));
 }
 
 }  // namespace mortise

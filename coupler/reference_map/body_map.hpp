@@ -1,8 +1,8 @@
 // The reference map of one body on the tiles near it: where the material at a point came from,
 //   ξ_t + (v·∇)ξ = 0.
-// Inside the body, φ(ξ) < 0, ξ moves with the material. Around it, in a band a few cells wide, it is continued: layer
-// by layer outward, each cell from the weighted least-squares plane through those of its 24 neighbours that hold ξ
-// already. ξ keeps its values across periodic sides.
+// Inside the body, φ(ξ) < 0, ξ moves with the material. Around it, in a band a few cells wide, it is continued outward
+// (map_extension.hpp) once a step; at the half of a step the band has moved with the flow. ξ keeps its values across
+// periodic sides.
 #pragma once
 
 #include <functional>
@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "mortise/coupler/reference_map/level_set.hpp"
+#include "mortise/coupler/reference_map/map_extension.hpp"
 #include "mortise/coupler/reference_map/solid_point.hpp"
 #include "mortise/grids/forest/ghost_exchange.hpp"
-#include "mortise/grids/overlap/component_grid.hpp"
 
 namespace mortise {
 
@@ -24,12 +24,10 @@ struct TileVelocity {
 
 class BodyMap {
  public:
-  /// Components of the field: ξ_x, ξ_y, φ(ξ), and the layer: 0 inside, 1 … layers in the band, `unknown` elsewhere.
+  /// Components of the field: ξ_x, ξ_y, φ(ξ), and the layer: 0 inside, 1, 2, … in the band (half() has one less),
+  /// `unknown` elsewhere.
   static constexpr int components = 4;
-  static constexpr int layers = 6;
-  static constexpr double unknown = 99;
-  /// Cells this far (in either direction) from one inside are on tiles of the map.
-  static constexpr int reach = 10;
+  static constexpr double unknown = unknown_layer;
 
   using Velocity = std::function<TileVelocity(int tile)>;
 
@@ -38,45 +36,60 @@ class BodyMap {
     SolidLaw law;
     std::shared_ptr<const LevelSet> level_set;
     std::function<Point<2>(const Point<2>& x)> initial;  // ξ at t = 0 where the body is, and a band around it
+    int layers = 6;  // of the band
   };
 
-  /// `grid` is not owned. Throws InputError when tiles are narrower than 2 · layers cells.
+  /// `grid` is not owned. Throws InputError when tiles are narrower than reach() cells.
   BodyMap(Setup setup, const ComponentGrid<2>& grid);
 
   /// False as in drift_to_half(). Collective.
   bool initialize();
-  /// The map at t + `time`, from that at t and a velocity that is constant in time; second order in space. False when
+  /// half() at t + `time` from field() at t and a velocity that is constant in time; second order in space. False when
   /// det ∂ξ/∂x ≤ 0 somewhere in the body. Collective.
-  bool drift_to_half(double time, const Velocity& velocity) { return drift(now_, half_, time, velocity); }
-  /// The map at the end of a step from that at its half. Collective.
-  bool drift_to_end(double time, const Velocity& velocity) { return drift(half_, now_, time, velocity); }
+  bool drift_to_half(double time, const Velocity& velocity);
+  /// field() at the end of a step from half(). Collective.
+  bool drift_to_end(double time, const Velocity& velocity);
   /// After field() was replaced from outside: its cells inside the body hold ξ, all others nothing. Collective.
   void resume();
 
   const std::string& name() const { return setup_.name; }
+  int layers() const { return setup_.layers; }
+  /// Cells this far (in either direction) from one inside are on tiles of the map.
+  int reach() const { return setup_.layers + 1; }
   const SolidLaw& law() const { return setup_.law; }
   /// At the time of the step's begin, or its end once that is there; and at its half.
   const Field<2>& field() const { return now_; }
   Field<2>& field() { return now_; }
   const Field<2>& half() const { return half_; }
+  /// The part of a local tile where field() or half() hold anything, ghosts included.
+  const TileWindow& window(int tile, bool half) const {
+    return (half ? half_windows_ : now_windows_)[static_cast<std::size_t>(tile)];
+  }
   const LevelSet& level_set() const { return *setup_.level_set; }
   /// Cells of the band that could not be continued from any neighbours, in the last step on this rank.
   std::int64_t orphans() const { return orphans_; }
   std::size_t memory_bytes() const;
 
  private:
-  bool drift(const Field<2>& from, Field<2>& to, double time, const Velocity& velocity);
-  void advect_tile(const TileBlock& from, TileBlock& to, const TileVelocity& velocity, double time) const;
-  void classify(TileBlock& block) const;
-  void fit_tiles(Field<2>& field) const;
-  void extend(Field<2>& field);
-  void fill_ghosts(Field<2>& field) const;
-  bool extend_cell(TileBlock& block, std::size_t cell, double layer) const;
-  bool admissible(const Field<2>& field) const;
+  using Windows = std::vector<TileWindow>;  // by local tile
+
+  void clear(Field<2>& field, const Windows& windows) const;
+  void move_windows(Field<2>& field, Windows& windows) const;
+  void advect_tile(int tile, const Field<2>& from, Field<2>& to, const TileVelocity& velocity, double time,
+                   double last_layer) const;
+  void classify(TileBlock& block, const TileWindow& window) const;
+  void measure(TileBlock& block, const TileWindow& window, double first_layer) const;
+  void settle();
+  void extend();
+  void fill_ghosts(Field<2>& field, const Windows& windows) const;
+  void copy_ghosts(Field<2>& field, int tile, const Index<2>& offset, const TileWindow& window) const;
+  void fill_ghosts_beyond(TileBlock& block, const Index<2>& outward, const TileWindow& window) const;
+  bool admissible(const Field<2>& field, const Windows& windows) const;
 
   Setup setup_;
   const ComponentGrid<2>& grid_;
   Field<2> now_, half_;
+  Windows now_windows_, half_windows_;
   GhostExchange<2> exchange_;
   std::int64_t orphans_ = 0;
 };

@@ -17,7 +17,7 @@
 
 namespace mortise {
 
-/// Material within `radius` of `center` (reference position) is held, by springs and dampers as stiff as the step
+/// Material within about `radius` of `center` (reference position, the edge as blurred as a surface) is held, by springs and dampers as stiff as the step
 /// allows, where the motion takes it: x = center + shift(t) + R(angle(t)) (ξ − center).
 struct Anchor {
   Point<2> center = Point<2>::Zero();
@@ -40,7 +40,8 @@ struct FlowBody {
 
 struct FlowSolidsSetup {
   std::vector<FlowBody> bodies;
-  double blur = 2;  // half width of the blur zone in cells
+  double blur = 2;        // half width of the blur zone in cells
+  double damping = 0.05;  // part of half the impedance with which velocities that differ across an edge pull at each other
   double fluid_density = 1, fluid_viscosity = 0;
   std::array<bool, 4> walls{};  // west, east, south, north: sides that push bodies back within 3 blur widths
 };
@@ -65,14 +66,19 @@ class FlowSolids : public Solids {
   void drift(bool to_half, double time);
   void write(bool half, double time, SolidFields& fields);
   void write_tile(int tile, bool half, double time, SolidFields& fields);
-  void add_edges(int tile, int direction, std::size_t body, bool half, double time, SolidFields& fields);
+  bool near_side(int tile, std::size_t side, const TileWindow& window) const;
+  void reset(int tile, const TileWindow& window, SolidFields& fields) const;
+  void add_density(int tile, const FlowBody& body, const TileBlock& map, const TileWindow& window,
+                   SolidFields& fields) const;
+  void add_anchor(int tile, const FlowBody& body, const Anchor& anchor, double time, const TileBlock& map,
+                  const TileWindow& window, SolidFields& fields) const;
 
   FlowSolidsSetup setup_;
   const ComponentGrid<2>& grid_;
   std::vector<std::unique_ptr<BodyMap>> maps_;
   const Field<2>* velocity_ = nullptr;  // of the flow, at the last full step
   double last_step_ = 0, fastest_ = 0;
-  std::vector<std::uint8_t> written_;  // per tile: holds something of solids
+  std::vector<TileWindow> written_;  // per tile: where fields hold something of solids
 };
 
 }  // namespace mortise

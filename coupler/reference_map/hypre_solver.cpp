@@ -53,7 +53,7 @@ class HypreSolver : public PressureSolver {
   HypreSolver(const HypreSolver&) = delete;
   HypreSolver& operator=(const HypreSolver&) = delete;
 
-  int solve(const Field<2>& right, const Field<2>* density, Field<2>& pressure) override {
+  int solve(const Field<2>& right, const Field<2>* density, Field<2>& pressure, double) override {
     const bool was_constant = solver_ && constant_;
     constant_ = density == nullptr;
     if (!(constant_ && was_constant)) set_matrix(density);

@@ -20,7 +20,7 @@ struct IncompressibleSetup {
   double cfl = 0.5;                     // fraction of the advective limit and of that of the solids, in (0, 1]
   double viscous_fraction = 0.9;        // fraction of the viscous limit, in (0, 1]
   FlowSlopes slopes = FlowSlopes::limited;
-  std::string pressure_solver = "transform";  // key, see pressure_solver_keys()
+  std::string pressure_solver = "automatic";  // key, see pressure_solver_keys()
   /// Of iterative pressure solvers, see PressureProblem. The choice of the upwind side at stagnation lines turns any
   /// change of round-off size into one of the order of the cut-off error there: a density ratio of 3 on 128² cells
   /// gives velocities that differ by 2e-5 after 100 steps for every tolerance from 1e-4 to 1e-13. What a tolerance buys

@@ -121,7 +121,7 @@ void IncompressibleSolver::project_edges() {
   for (int t = 0; t < flow_.tiles(); ++t)
     fill_edge_divergence(projection_tile(t), edges_.x.tile(t).component(0), edges_.y.tile(t).component(0),
                          edge_right_.tile(t).component(0));
-  counts_.edge_iterations += edge_solver_->solve(edge_right_, density(), correction_);
+  counts_.edge_iterations += edge_solver_->solve(edge_right_, density(), correction_, energy_);
   flow_.fill_pressure_beyond(correction_);
   for (int t = 0; t < flow_.tiles(); ++t)
     correct_edges(projection_tile(t), correction_.tile(t).component(0), edges_.x.tile(t).component(0),
@@ -184,18 +184,17 @@ void IncompressibleSolver::find_pressure(double dt, bool inflow) {
   flow_.fill_flux(star_, inflow);
   for (int t = 0; t < flow_.tiles(); ++t)
     fill_nodal_divergence(projection_tile(t), dt, star_.tile(t).component(0), nodal_right_.tile(t).component(0));
-  counts_.node_iterations += node_solver_->solve(nodal_right_, density(), pressure_);
+  counts_.node_iterations += node_solver_->solve(nodal_right_, density(), pressure_, inflow ? energy_ / (dt * dt) : 0);
 }
 
 /// 5. Nodal projection of v*.
 void IncompressibleSolver::project_velocity(double dt) {
   find_pressure(dt, true);
   const auto phase = timers_("project nodes");
-  largest_.setZero();
   for (int t = 0; t < flow_.tiles(); ++t)
-    largest_ = largest_.cwiseMax(correct_velocity(projection_tile(t), dt, star_.tile(t).component(0),
-                                                  pressure_.tile(t).component(0), velocity_.tile(t).component(0)));
-  for (int d = 0; d < 2; ++d) largest_[d] = grid().forest.communicator().max(largest_[d]);
+    correct_velocity(projection_tile(t), dt, star_.tile(t).component(0), pressure_.tile(t).component(0),
+                     velocity_.tile(t).component(0));
+  measure_flow();
   flow_.fill_velocity(velocity_);
 }
 
@@ -251,6 +250,7 @@ double IncompressibleSolver::advance(double limit) {
   ++counts_.steps;
   if (!largest_.allFinite()) throw NumericalError("velocities are not finite at t = " + std::to_string(time_));
   if (solids_) {
+    const auto phase = timers_("solids");
     solids_->full_step(velocity_, time_, *fields_);
     complete_fields();
   }

@@ -83,7 +83,7 @@ class IncompressibleSolver {
   void find_pressure(double dt, bool inflow);
   void project_velocity(double dt);
   void complete_fields();
-  void find_largest();
+  void measure_flow();
   void prepare_stress(const Field<2>& velocity);
   ForceTile force_tile(int tile, const Field<2>& velocity) const;
   ProjectionTile projection_tile(int tile) const;
@@ -93,6 +93,7 @@ class IncompressibleSolver {
   Solids* solids_;
   double time_ = 0;
   Point<2> largest_ = Point<2>::Zero();  // |u|, |v| anywhere
+  double energy_ = 0;                    // ∫ρ|v|² with the fluid's density: what errors of pressures are measured by
   Point<2> given_ = Point<2>::Zero();    // the same of velocities given at sides
   double largest_viscosity_ = 0;         // kinematic
   Field<2> velocity_, slopes_, acceleration_, advection_, middle_, star_;

@@ -1,6 +1,7 @@
 // Looking at an incompressible flow, and its state for continued runs.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "mortise/coupler/reference_map/incompressible_solver.hpp"
 #include "mortise/grids/core/error.hpp"
@@ -71,21 +72,25 @@ void IncompressibleSolver::restore(double time, const std::vector<std::vector<do
   flow_.exchange_points(pressure_);
   flow_.exchange(correction_);
   flow_.fill_velocity(velocity_);
-  find_largest();
+  measure_flow();
   if (!solids_) return;
   solids_->full_step(velocity_, time_, *fields_);
   complete_fields();
 }
 
-/// The largest |u| and |v| of all cells.
-void IncompressibleSolver::find_largest() {
+/// The largest |u| and |v| of all cells and the energy, whose sum does not depend on who owns which tiles.
+void IncompressibleSolver::measure_flow() {
+  std::vector<double> energies;
   largest_.setZero();
-  for (int t = 0; t < flow_.tiles(); ++t)
-    for_each_cell<2>(flow_.shape(), 0, [&](const Index<2>& c) {
-      for (int k = 0; k < 2; ++k)
-        largest_[k] = std::max(largest_[k], std::abs(velocity_.tile(t).component(k)[flow_.shape().at(c)]));
-    });
-  for (int k = 0; k < 2; ++k) largest_[k] = grid().forest.communicator().max(largest_[k]);
+  for (int t = 0; t < flow_.tiles(); ++t) {
+    const FlowMeasure sum = measure(projection_tile(t), velocity_.tile(t).component(0));
+    largest_ = largest_.cwiseMax(sum.largest);
+    energies.push_back(sum.energy);
+  }
+  const Communicator& comm = grid().forest.communicator();
+  for (int d = 0; d < 2; ++d) largest_[d] = comm.max(largest_[d]);
+  energies = comm.gather_all(energies);
+  energy_ = std::accumulate(energies.begin(), energies.end(), 0.0);
 }
 
 }  // namespace mortise

@@ -32,12 +32,6 @@ enum FaceData {
   face_count
 };
 
-Pack share_of(Pack phi, double inverse_width) {
-  Pack s{};
-  for (int k = 0; k < simd_width; ++k) s[k] = solid_share(phi[k], inverse_width);
-  return s;
-}
-
 struct Maps {
   const double *x, *y, *phi, *layer;
 };
@@ -128,7 +122,7 @@ class MixtureKernel {
         G.xy = select(valid, G.xy, Pack{});
         G.yx = select(valid, G.yx, Pack{});
         const SolidPoint<Pack> p = solid_point(*body.law, G);
-        const Pack share = select(valid, share_of(phi, inverse_width), Pack{});
+        const Pack share = select(valid, solid_share(phi, inverse_width), Pack{});
         const auto add = [&](FaceData what, Pack value) {
           double* at = face_plane(direction, what) + k;
           store(at, load(at) + share * value);

@@ -1,5 +1,6 @@
 #include "mortise/coupler/reference_map/projection.hpp"
 
+#include <cmath>
 #include <limits>
 
 #include "mortise/grids/core/row_workspace.hpp"
@@ -32,33 +33,19 @@ void correct_edges_of(const ProjectionTile tile, const double* q, double* x_edge
 }
 
 template <bool variable>
-Point<2> correct_velocity_of(const ProjectionTile tile, double dt, const double* star, const double* p,
-                             double* velocity) {
+void correct_velocity_of(const ProjectionTile tile, double dt, const double* star, const double* p, double* velocity) {
   const TileShape<2>& shape = *tile.shape;
   const std::ptrdiff_t s = shape.stride, plane = static_cast<std::ptrdiff_t>(shape.plane);
-  const int nx = shape.cells[0];
   const double cx = 0.5 * dt / tile.spacing[0], cy = 0.5 * dt / tile.spacing[1];
-  Pack largest_u{}, largest_v{}, finite{};  // the last one stays 0 while all is finite
   for (int j = 0; j < shape.cells[1]; ++j) {
     const auto first = static_cast<std::ptrdiff_t>(shape.at(0, j));
-    for (int i = 0; i < nx; i += simd_width) {
-      const std::ptrdiff_t o = first + i;
+    for (std::ptrdiff_t o = first; o < first + shape.cells[0]; o += simd_width) {
       const Pack volume = variable ? 1.0 / load(tile.density + o) : broadcast(1 / tile.fluid_density);
       const Pack sw = load(p + o), se = load(p + o + 1), nw = load(p + o + s), ne = load(p + o + s + 1);
-      const Pack u = load(star + o) - cx * volume * ((se - sw) + (ne - nw));
-      const Pack v = load(star + plane + o) - cy * volume * ((nw - sw) + (ne - se));
-      store(velocity + o, u);
-      store(velocity + plane + o, v);
-      const PackMask counts = lanes_below(nx - i);
-      const Pack own_u = select(counts, u, Pack{}), own_v = select(counts, v, Pack{});
-      largest_u = larger_magnitude(largest_u, own_u);
-      largest_v = larger_magnitude(largest_v, own_v);
-      finite = finite + 0.0 * (own_u + own_v);
+      store(velocity + o, load(star + o) - cx * volume * ((se - sw) + (ne - nw)));
+      store(velocity + plane + o, load(star + plane + o) - cy * volume * ((nw - sw) + (ne - se)));
     }
   }
-  for (int k = 0; k < simd_width; ++k)
-    if (finite[k] != 0) return Point<2>::Constant(std::numeric_limits<double>::infinity());
-  return {horizontal_max(largest_u), horizontal_max(largest_v)};
 }
 
 }  // namespace
@@ -99,10 +86,31 @@ void fill_nodal_divergence(const ProjectionTile& tile, double dt, const double* 
   }
 }
 
-Point<2> correct_velocity(const ProjectionTile& tile, double dt, const double* star, const double* p,
-                          double* velocity) {
-  return tile.density ? correct_velocity_of<true>(tile, dt, star, p, velocity)
-                      : correct_velocity_of<false>(tile, dt, star, p, velocity);
+void correct_velocity(const ProjectionTile& tile, double dt, const double* star, const double* p, double* velocity) {
+  if (tile.density)
+    correct_velocity_of<true>(tile, dt, star, p, velocity);
+  else
+    correct_velocity_of<false>(tile, dt, star, p, velocity);
+}
+
+FlowMeasure measure(const ProjectionTile& tile, const double* velocity) {
+  const TileShape<2>& shape = *tile.shape;
+  Pack largest_u{}, largest_v{}, squares{};
+  for (int j = 0; j < shape.cells[1]; ++j) {
+    const double* const row = velocity + shape.at(0, j);
+    for (int i = 0; i < shape.cells[0]; i += simd_width) {
+      const PackMask counts = lanes_below(shape.cells[0] - i);
+      const Pack u = select(counts, load(row + i), Pack{}), v = select(counts, load(row + shape.plane + i), Pack{});
+      largest_u = larger_magnitude(largest_u, u);
+      largest_v = larger_magnitude(largest_v, v);
+      squares = squares + (u * u + v * v);
+    }
+  }
+  FlowMeasure sum{{horizontal_max(largest_u), horizontal_max(largest_v)}, 0};
+  for (int k = 0; k < simd_width; ++k) sum.energy += squares[k];
+  sum.energy *= tile.fluid_density * tile.spacing[0] * tile.spacing[1];
+  if (!std::isfinite(sum.energy)) sum.largest.setConstant(std::numeric_limits<double>::infinity());
+  return sum;
 }
 
 }  // namespace mortise

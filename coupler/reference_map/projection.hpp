@@ -25,8 +25,15 @@ void correct_edges(const ProjectionTile& tile, const double* q, double* x_edges,
 /// the fluid's density where it is constant.
 void fill_nodal_divergence(const ProjectionTile& tile, double dt, const double* star, double* right);
 
-/// velocity = v* − (Δt/ρ) ∇p on the tile's cells, ∇p the mean over the cell. Returns the largest |u| and |v|, infinity
-/// if any value is not finite.
-Point<2> correct_velocity(const ProjectionTile& tile, double dt, const double* star, const double* p, double* velocity);
+/// velocity = v* − (Δt/ρ) ∇p on the tile's cells, ∇p the mean over the cell.
+void correct_velocity(const ProjectionTile& tile, double dt, const double* star, const double* p, double* velocity);
+
+/// Of the velocities in a tile: the largest |u| and |v|, infinity if any value is not finite, and ∫ρ|v|² with the
+/// fluid's density.
+struct FlowMeasure {
+  Point<2> largest = Point<2>::Zero();
+  double energy = 0;
+};
+FlowMeasure measure(const ProjectionTile& tile, const double* velocity);
 
 }  // namespace mortise

@@ -1,161 +1,53 @@
 #include "mortise/coupler/reference_map/transform_solver.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <optional>
 #include <vector>
 
 #include "mortise/coupler/reference_map/fast_transform.hpp"
-#include "mortise/coupler/reference_map/variable_operator.hpp"
-#include "mortise/coupler/reference_map/whole_grid.hpp"
-#include "mortise/grids/core/error.hpp"
-#include "mortise/grids/core/simd.hpp"
+#include "mortise/coupler/reference_map/variable_solver.hpp"
 
 namespace mortise {
 namespace {
 
-using Vector = std::vector<double>;
+/// The inverse for density 1: rᵀA⁻¹r ≤ ρ_max rᵀA₁⁻¹r.
+class TransformPreconditioner : public Preconditioner {
+ public:
+  explicit TransformPreconditioner(std::shared_ptr<FastTransform> transform) : transform_(std::move(transform)) {}
+  void set(const VariableOperator& matrix) override { largest_density_ = matrix.largest_density(); }
+  void apply(const double* r, double* z) override { transform_->solve(r, z); }
+  double bound() const override { return largest_density_; }
 
-/// a · b over the first n values, in an order that depends on n alone.
-double dot(const double* a, const double* b, std::size_t n) {
-  Pack sum{}, other{};
-  std::size_t k = 0;
-  for (; k + 2 * simd_width <= n; k += 2 * simd_width) {
-    sum = sum + load(a + k) * load(b + k);
-    other = other + load(a + k + simd_width) * load(b + k + simd_width);
-  }
-  sum = sum + other;
-  double total = 0;
-  for (int l = 0; l < simd_width; ++l) total += sum[l];
-  for (; k < n; ++k) total += a[k] * b[k];
-  return total;
-}
+ private:
+  std::shared_ptr<FastTransform> transform_;
+  double largest_density_ = 1;
+};
 
 class TransformSolver : public PressureSolver {
  public:
   explicit TransformSolver(const PressureProblem& problem)
       : problem_(problem),
         whole_(*problem.grid, problem.place),
-        cells_(*problem.grid, PressurePlace::cells),
-        transform_(problem, whole_.points()),
-        b_(whole_.count() + VariableOperator::slack) {}
+        transform_(std::make_shared<FastTransform>(problem, whole_.points())),
+        values_(whole_.count()) {}
 
-  int solve(const Field<2>& right, const Field<2>* density, Field<2>& pressure) override {
-    whole_.gather(right, b_.data(), whole_.points()[0]);
-    if (!density) {
-      transform_.solve(b_.data(), b_.data());
-      whole_.scatter(b_.data(), whole_.points()[0], pressure);
-      return 0;
+  int solve(const Field<2>& right, const Field<2>* density, Field<2>& pressure, double energy) override {
+    if (density) {
+      if (!variable_)
+        variable_.emplace(problem_, std::make_unique<TransformPreconditioner>(transform_));
+      return variable_->solve(right, density, pressure, energy);
     }
-    prepare(*density, pressure);
-    const int iterations = iterate();
-    whole_.scatter(x_.data(), whole_.points()[0], pressure);
-    return iterations;
+    whole_.gather(right, values_.data(), whole_.points()[0]);
+    transform_->solve(values_.data(), values_.data());
+    whole_.scatter(values_.data(), whole_.points()[0], pressure);
+    return 0;
   }
 
  private:
-  void prepare(const Field<2>& density, const Field<2>& guess) {
-    const std::size_t n = b_.size();
-    if (!matrix_) {
-      matrix_ = std::make_unique<VariableOperator>(problem_, whole_.points());
-      density_.resize(cells_.count());
-      for (Vector* v : {&x_, &r_, &z_, &q_}) v->resize(n);
-      d_.resize(matrix_->padded());
-    }
-    cells_.gather(density, density_.data(), problem_.grid->cells[0]);
-    matrix_->set_density(density_.data());
-    whole_.gather(guess, x_.data(), whole_.points()[0]);
-    clear_fixed(x_);
-    clear_fixed(b_);
-    if (problem_.singular()) {
-      remove_mean(b_);
-      remove_mean(x_);
-    }
-  }
-
-  /// p at Dirichlet nodes is known to be 0: they take no part.
-  void clear_fixed(Vector& v) const {
-    if (problem_.place == PressurePlace::cells) return;
-    const Index<2> n = whole_.points();
-    const auto zero = [&](std::size_t side) { return problem_.ends[side] == PressureEnd::dirichlet; };
-    for (int j = 0; j < n[1]; ++j) {
-      double* const row = v.data() + static_cast<std::ptrdiff_t>(j) * n[0];
-      if ((zero(2) && j == 0) || (zero(3) && j == n[1] - 1)) std::fill_n(row, n[0], 0.0);
-      if (zero(0)) row[0] = 0;
-      if (zero(1)) row[n[0] - 1] = 0;
-    }
-  }
-  void remove_mean(Vector& v) const {
-    const std::size_t n = whole_.count();
-    double sum = 0;
-    for (std::size_t k = 0; k < n; ++k) sum += v[k];
-    const double mean = sum / static_cast<double>(n);
-    for (std::size_t k = 0; k < n; ++k) v[k] -= mean;
-  }
-
-  /// d = v in the layout of the matrix, plus β d.
-  void turn(const Vector& v, double beta) {
-    const Index<2> n = whole_.points();
-    for (int j = 0; j < n[1]; ++j) {
-      double* const to = d_.data() + matrix_->first() + j * matrix_->stride();
-      const double* const from = v.data() + static_cast<std::ptrdiff_t>(j) * n[0];
-      for (int i = 0; i < n[0]; ++i) to[i] = from[i] + beta * to[i];
-    }
-  }
-  double dot_direction(const Vector& v) const {
-    const Index<2> n = whole_.points();
-    double sum = 0;
-    for (int j = 0; j < n[1]; ++j)
-      sum += dot(d_.data() + matrix_->first() + j * matrix_->stride(), v.data() + static_cast<std::ptrdiff_t>(j) * n[0],
-                 static_cast<std::size_t>(n[0]));
-    return sum;
-  }
-  /// x += α d
-  void move(double alpha) {
-    const Index<2> n = whole_.points();
-    for (int j = 0; j < n[1]; ++j) {
-      const double* const d = d_.data() + matrix_->first() + j * matrix_->stride();
-      double* const x = x_.data() + static_cast<std::ptrdiff_t>(j) * n[0];
-      for (int i = 0; i < n[0]; ++i) x[i] += alpha * d[i];
-    }
-  }
-
-  /// Conjugate gradients, preconditioned by the matrix of density 1. The error e of x satisfies
-  /// eᵀA e = rᵀA⁻¹r ≤ ρ_max rᵀA₁⁻¹r, which is known in every iteration.
-  int iterate() {
-    const std::size_t n = whole_.count();
-    std::fill(d_.begin(), d_.end(), 0.0);
-    turn(x_, 0);
-    matrix_->apply(d_.data(), q_.data());
-    for (std::size_t k = 0; k < n; ++k) r_[k] = b_[k] - q_[k];
-    double rz = 0, beta = 0;
-    for (int iteration = 0; iteration <= most_iterations; ++iteration) {
-      transform_.solve(r_.data(), z_.data());
-      const double next = dot(r_.data(), z_.data(), n);
-      const double energy = std::abs(dot(x_.data(), b_.data(), n));
-      const double reached = matrix_->largest_density() * next;
-      if (reached <= problem_.tolerance * problem_.tolerance * energy || next <= smallest) return iteration;
-      if (!std::isfinite(next)) break;
-      beta = iteration == 0 ? 0 : next / rz;
-      rz = next;
-      turn(z_, beta);
-      matrix_->apply(d_.data(), q_.data());
-      const double alpha = rz / dot_direction(q_);
-      move(alpha);
-      for (std::size_t k = 0; k < n; ++k) r_[k] -= alpha * q_[k];
-    }
-    throw NumericalError("the pressure did not converge in " + std::to_string(most_iterations) + " iterations");
-  }
-
-  static constexpr int most_iterations = 400;
-  static constexpr double smallest = 1e-280;  // nothing to solve for
-
   PressureProblem problem_;
-  WholeGrid whole_, cells_;
-  FastTransform transform_;
-  Vector b_;
-  // Variable density only:
-  std::unique_ptr<VariableOperator> matrix_;
-  Vector density_, x_, r_, z_, q_, d_;
+  WholeGrid whole_;
+  std::shared_ptr<FastTransform> transform_;
+  std::vector<double> values_;
+  std::optional<VariableSolver> variable_;
 };
 
 }  // namespace

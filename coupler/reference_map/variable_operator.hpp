@@ -14,6 +14,10 @@ class VariableOperator {
   /// density of the cells, rows of grid.cells[0] values.
   void set_density(const double* density);
   double largest_density() const { return largest_density_; }
+  /// In the layout below. cells: weights of the west and south edges of cells; nodes: 1/ρ of cells (no south()), 0
+  /// beyond sides.
+  const double* west() const { return x_.data(); }
+  const double* south() const { return y_.data(); }
 
   /// Points are laid out in rows of stride() doubles with a layer of ghosts around: point (i, j) at (j + 1) stride + i
   /// + 1.

@@ -117,6 +117,19 @@ MORTISE_INLINE bool all_positive(Pack x) {
 #endif
 }
 
+/// Any lane is true.
+MORTISE_INLINE bool any(PackMask mask) {
+#if defined(__AVX512F__)
+  return _mm512_test_epi64_mask((__m512i)mask, (__m512i)mask) != 0;
+#elif defined(__AVX__)
+  return _mm256_movemask_pd((__m256d)mask) != 0;
+#else
+  std::int64_t all = 0;
+  for (int k = 0; k < simd_width; ++k) all |= mask[k];
+  return all != 0;
+#endif
+}
+
 /// Lanes one by one, for what has no vector form.
 template <class T>
 inline constexpr int lanes = static_cast<int>(sizeof(T) / sizeof(double));

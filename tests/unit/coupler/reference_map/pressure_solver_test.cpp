@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "mortise/coupler/reference_map/fast_transform.hpp"
+#include "mortise/coupler/reference_map/multigrid.hpp"
 #include "mortise/coupler/reference_map/variable_operator.hpp"
 #include "mortise/grids/core/error.hpp"
 #include "mortise/grids/forest/ghost_exchange.hpp"
@@ -26,10 +27,10 @@ constexpr std::array<Ends, 7> all_ends{{{periodic, periodic, periodic, periodic}
                                         {dirichlet, dirichlet, dirichlet, neumann}}};
 
 /// Oblong cells, several tiles.
-ComponentGrid<2> make_grid(const Ends& ends) {
-  ComponentGrid<2> grid("grid", Communicator(), {24, 16}, {ends[0] == periodic, ends[2] == periodic},
+ComponentGrid<2> make_grid(const Ends& ends, Index<2> cells = {24, 16}) {
+  ComponentGrid<2> grid("grid", Communicator(), cells, {ends[0] == periodic, ends[2] == periodic},
                         TileShape<2>({8, 8}));
-  grid.spacing = Point<2>(1.0 / 24, 1.5 / 16);
+  grid.spacing = Point<2>(1.0 / cells[0], 1.5 / cells[1]);
   return grid;
 }
 
@@ -93,7 +94,7 @@ double error_of(const std::string& solver, const ComponentGrid<2>& grid, const K
     });
   }
   const auto pressure = make_pressure_solver(solver, known.problem);
-  pressure->solve(right, ratio == 1 ? nullptr : &rho, p);
+  pressure->solve(right, ratio == 1 ? nullptr : &rho, p, 0);
   double low = 1e300, high = -1e300;
   for (int t = 0; t < grid.forest.local_count(); ++t)
     for_each_cell<2>(grid.shape, 0, [&](const Index<2>& c) {
@@ -115,6 +116,41 @@ TEST(PressureSolver, AnswersAreExactForAllEndsPlacesAndDensities) {
           EXPECT_LT(error_of(solver, grid, known, ratio), ratio == 1 && solver == "transform" ? 1e-12 : 1e-8)
               << solver << (place == PressurePlace::cells ? " cells" : " nodes") << " ends " << k << " ratio " << ratio;
         }
+}
+
+/// One V-cycle leaves so much of an error e as the conjugate gradients count on, in the norm √(eᵀA e).
+TEST(PressureSolver, MultigridContractsAsItSays) {
+  for (const PressurePlace place : {PressurePlace::cells, PressurePlace::nodes})
+    for (std::size_t k = 0; k < all_ends.size(); ++k)
+      for (const double ratio : {1.0, 3.0, 100.0}) {
+        const ComponentGrid<2> grid = make_grid(all_ends[k], {64, 48});
+        const Known known(grid, place, all_ends[k], ratio);
+        VariableOperator matrix(known.problem, known.points);
+        std::vector<double> rho;
+        for (int j = 0; j < grid.cells[1]; ++j)
+          for (int i = 0; i < grid.cells[0]; ++i) rho.push_back(Known::density(i, j, ratio));
+        matrix.set_density(rho.data());
+        const auto multigrid = make_multigrid(known.problem);
+        multigrid->set(matrix);
+        std::vector<double> z(known.b.size()), e(matrix.padded()), Ae(known.b.size());
+        const auto energy = [&](const auto& value) {
+          double sum = 0;
+          for (int j = 0; j < known.points[1]; ++j)
+            for (int i = 0; i < known.points[0]; ++i)
+              e[static_cast<std::size_t>(matrix.first() + j * matrix.stride() + i)] = value(known.index(i, j));
+          matrix.apply(e.data(), Ae.data());
+          for (int j = 0; j < known.points[1]; ++j)
+            for (int i = 0; i < known.points[0]; ++i)
+              sum += value(known.index(i, j)) * Ae[known.index(i, j)];
+          return sum;
+        };
+        multigrid->apply(known.b.data(), z.data());
+        const double before = energy([&](std::size_t n) { return known.p[n]; }),
+                     after = energy([&](std::size_t n) { return known.p[n] - z[n]; });
+        std::printf("contraction %d %zu %g: %g\n", int(place), k, ratio, std::sqrt(after / before));
+        EXPECT_LT(after, std::pow(multigrid->contraction(), 2) * before)
+            << (place == PressurePlace::cells ? " cells" : " nodes") << " ends " << k << " ratio " << ratio;
+      }
 }
 
 /// cos kπx cos lπy between Neumann sides is an eigenvector of both matrices, and tends to one of −∇² at second order.

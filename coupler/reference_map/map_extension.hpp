@@ -1,0 +1,17 @@
+// Continuation of a reference map beyond its body, one layer of cells after the other: a cell next to one that holds ξ
+// gets the value of a weighted least-squares plane through those of its 24 neighbours that hold ξ already.
+#pragma once
+
+#include "mortise/coupler/reference_map/tile_window.hpp"
+
+namespace mortise {
+
+/// Components of a map's field: ξ_x, ξ_y, φ(ξ), and the layer: 0 inside, 1, 2, … in the band around, `unknown_layer`
+/// elsewhere.
+inline constexpr double unknown_layer = 99;
+
+/// Fills the cells of layer `number` in the window (without ghosts) of a tile: ξ and the layer. Cells that have a
+/// neighbour of a lower layer but too few neighbours for a plane are left, and counted: the return value.
+int extend_layer(const TileShape<2>& shape, const TileWindow& window, int number, TileBlock& map);
+
+}  // namespace mortise
