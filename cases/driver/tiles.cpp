@@ -1,9 +1,11 @@
 #include "mortise/cases/driver/tiles.hpp"
 
+#include <algorithm>
 #include <span>
 #include <type_traits>
 #include <utility>
 
+#include "mortise/cases/driver/map_contours.hpp"
 #include "mortise/grids/overlap/component_grid.hpp"
 
 namespace mortise {
@@ -17,6 +19,15 @@ struct MapTiles {
   Field<2>& field;
   std::vector<std::vector<double>> none;
 };
+
+/// Gives a tile of a map memory, or takes it. Ghosts and cells that hold no map say so: maps look beyond what is filled.
+void hold_map(Field<2>& field, int t, bool held) {
+  if (!held) return field.tile(t).release();
+  if (field.tile(t).allocated()) return;
+  field.allocate(t);
+  std::fill_n(field.tile(t).component(2), field.shape().plane, unknown_phi);
+  std::fill_n(field.tile(t).component(3), field.shape().plane, BodyMap::unknown);
+}
 
 /// visit(number of the grid, the grid, components, solver, index of the grid in it) for all grids of a scene.
 template <class AnySimulation, class Visit>
@@ -91,8 +102,7 @@ void scatter_tiles(const TileRecords& records, Simulation<Dim>& simulation) {
         TileBlock& block = solver.fields()[g].tile(static_cast<int>(local));
         if constexpr (std::is_same_v<std::decay_t<decltype(solver)>, MapTiles>) {
           // Bodies are where they were, not where they began.
-          if (allocated && !block.allocated()) solver.field.allocate(static_cast<int>(local));
-          if (!allocated) block.release();
+          hold_map(solver.field, static_cast<int>(local), allocated);
         }
         if (allocated && block.allocated()) fill(block, grid, components, next);
       }
@@ -182,8 +192,7 @@ void scatter_tiles(const TileRecords& records, double time, IncompressibleSolver
     for (std::int64_t tile = 0; tile < tiles; ++tile, ++k) {
       const bool allocated = records.keys[3 * k + 2] != 0;
       if (const int t = local(tile); t >= 0) {
-        if (allocated && !field.tile(t).allocated()) field.allocate(t);
-        if (!allocated) field.tile(t).release();
+        hold_map(field, t, allocated);
         if (allocated) fill(field.tile(t), grid, BodyMap::components, next);
       }
       if (allocated) next += tile_size(grid, BodyMap::components);
