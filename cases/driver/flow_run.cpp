@@ -4,14 +4,15 @@
 
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 
 #include "mortise/cases/driver/agreement.hpp"
-#include "mortise/cases/driver/local_cells.hpp"
-#include "mortise/cases/driver/mapped_bodies.hpp"
+#include "mortise/cases/driver/flow_snapshot.hpp"
 #include "mortise/cases/driver/output_directory.hpp"
 #include "mortise/cases/driver/progress.hpp"
 #include "mortise/cases/driver/recorder.hpp"
 #include "mortise/cases/driver/report.hpp"
+#include "mortise/cases/driver/tracers.hpp"
 #include "mortise/cases/scene/flow_scene.hpp"
 #include "mortise/coupler/reference_map/flow_grid.hpp"
 #include "mortise/grids/core/error.hpp"
@@ -21,7 +22,9 @@
 namespace mortise {
 namespace {
 
-constexpr double most_solid_share = 0.5;  // cells with more are drawn as solid
+const std::vector<std::string> solid_columns = {
+    "t", "solid", "x", "y", "velocity_x", "velocity_y", "angular_momentum", "volume"};
+const std::vector<std::string> tracer_columns = {"t", "probe", "x", "y"};
 
 FlowScene agreed_scene(const CaseDescription& description, const Communicator& comm) {
   FlowScene scene;
@@ -29,52 +32,7 @@ FlowScene agreed_scene(const CaseDescription& description, const Communicator& c
   return scene;
 }
 
-/// Velocity, vorticity and pressure on the cells, then the solids.
-Snapshot snapshot_of(const IncompressibleSolver& flow, const std::vector<MappedSolid>& solids) {
-  struct Record {
-    std::int64_t index;
-    std::array<double, 4> values;
-    bool hole;
-  };
-  const ComponentGrid<2>& grid = flow.grid();
-  const auto s = static_cast<std::size_t>(grid.shape.stride);
-  std::vector<Record> mine;
-  for_each_local_cell<2>(grid, [&](int t, const Index<2>&, std::size_t index, std::size_t k) {
-    const double *u = flow.velocity().tile(t).component(0) + k, *v = flow.velocity().tile(t).component(1) + k,
-                 *p = flow.pressure().tile(t).component(0) + k;
-    const double curl = 0.5 * ((v[1] - *(v - 1)) / grid.spacing.x() - (u[s] - *(u - s)) / grid.spacing.y());
-    double share = 0;
-    for (const MappedSolid& solid : solids)
-      if (solid.map->field().tile(t).allocated())
-        share += solid_share(solid.map->field().tile(t).component(2)[k], 1 / solid.blur);
-    mine.push_back({static_cast<std::int64_t>(index),
-                    {*u, *v, curl, 0.25 * (p[0] + p[1] + p[s] + p[s + 1])},
-                    share > most_solid_share});
-  });
-  GridSnapshot out;
-  out.name = grid.name;
-  out.cells = grid.cells;
-  for (int j = 0; j <= out.cells[1]; ++j)
-    for (int i = 0; i <= out.cells[0]; ++i) {
-      out.x.push_back(grid.origin.x() + i * grid.spacing.x());
-      out.y.push_back(grid.origin.y() + j * grid.spacing.y());
-    }
-  out.mask.assign(out.cell_count(), mask_active);
-  for (const char* name : {"velocity_x", "velocity_y", "vorticity", "pressure"})
-    out.fields.emplace_back(name, std::vector<double>(out.cell_count(), 0.0));
-  for (const Record& record : grid.forest.communicator().gather_all(mine)) {
-    const auto k = static_cast<std::size_t>(record.index);
-    if (record.hole) out.mask[k] = mask_hole;
-    for (std::size_t f = 0; f < 4; ++f) out.fields[f].second[k] = record.values[f];
-  }
-  Snapshot snapshot;
-  snapshot.time = flow.time();
-  snapshot.step = static_cast<int>(flow.counts().steps);
-  snapshot.grids.push_back(std::move(out));
-  for (const MappedSolid& solid : solids) add_mapped_solid(solid, snapshot);
-  return snapshot;
-}
-
+/// One run of one case. As in Run (run_case.cpp) steps are those of the whole case, whatever --until says.
 class FlowRun {
  public:
   FlowRun(const CaseDescription& description, const RunOptions& options, const Communicator& comm)
@@ -89,34 +47,22 @@ class FlowRun {
       agree(comm_, [&] { solids_->follow(flow_.velocity()); });
       mapped_ = mapped_solids(*solids_, flow_);
     }
-    agree(comm_, [&] { flow_.initialize(); });
+    if (options_.restart.empty()) {
+      agree(comm_, [&] { flow_.initialize(); });
+      tracers_.emplace(description_.probes, mapped_, flow_, description_.oscillation.has_value());
+    }
   }
 
   int operator()() {
-    directory_ = options_.output.empty() ? description_.output : options_.output;
-    if (!options_.restart.empty())
-      throw InputError("runs with fluid.kind = \"incompressible\" write no checkpoints and cannot be restarted");
-    end_ = options_.until ? std::min(*options_.until, description_.time_end) : description_.time_end;
-    agree(comm_, [&] {
-      if (comm_.rank() != 0) return;
-      check_output_directory(directory_, options_.overwrite, false);
-      prepare_output_directory(directory_, options_.overwrite);
-      if (solids_)
-        solids_file_.emplace(
-            directory_ + "/solids.csv",
-            std::vector<std::string>{"t", "solid", "x", "y", "velocity_x", "velocity_y", "angular_momentum", "volume"});
-      if (!description_.probes.empty())
-        tracers_file_.emplace(directory_ + "/tracers.csv", std::vector<std::string>{"t", "probe", "x", "y"});
-      if (description_.hdf5 && description_.frames > 0) series_.emplace(directory_);
-    });
-    for (const ProbeDescription& probe : description_.probes)
-      tracers_.push_back({probe.position[0], probe.position[1]});
-    Progress progress(0, end_, options_.quiet || comm_.rank() != 0);
+    open();
+    Progress progress(flow_.time(), end_, options_.quiet || comm_.rank() != 0);
     int status = 0;
     std::string reason;
     try {
-      record();
-      frame(0);
+      if (!resumed_) {
+        record();
+        frame(0);
+      }
       loop(progress);
     } catch (const NumericalError& error) {
       reason = "the computation failed at t = " + std::to_string(flow_.time()) + ": " + error.what();
@@ -128,47 +74,98 @@ class FlowRun {
   }
 
  private:
+  /// The directory, the state that the run begins with, and the files.
+  void open() {
+    directory_ = !options_.output.empty()    ? options_.output
+                 : !options_.restart.empty() ? options_.restart
+                                             : description_.output;
+    end_ = options_.until ? std::min(*options_.until, description_.time_end) : description_.time_end;
+    resumed_ = !options_.restart.empty();
+    std::error_code ignored;
+    const bool continued = resumed_ && (directory_ == options_.restart ||
+                                        std::filesystem::equivalent(directory_, options_.restart, ignored));
+    agree(comm_, [&] {
+      if (comm_.rank() == 0) check_output_directory(directory_, options_.overwrite, continued);
+    });
+    if (resumed_) resume();
+    agree(comm_, [&] {
+      if (comm_.rank() != 0) return;
+      prepare_output_directory(directory_, options_.overwrite && !continued);
+      if (solids_) start(solids_file_, "/solids.csv", solid_columns);
+      if (!description_.probes.empty()) start(tracers_file_, "/tracers.csv", tracer_columns);
+      const double before = resumed_ ? flow_.time() : -std::numeric_limits<double>::infinity();
+      if (description_.hdf5 && description_.frames > 0) series_.emplace(directory_, before);
+    });
+  }
+
+  void start(std::optional<CsvWriter>& file, const char* name, const std::vector<std::string>& columns) const {
+    if (resumed_)
+      file.emplace(CsvWriter::truncate_after(directory_ + name, columns, flow_.time()));
+    else
+      file.emplace(directory_ + name, columns);
+  }
+
+  void resume() {
+    Checkpoint checkpoint;
+    agree(comm_, [&] {
+      checkpoint = read_any_checkpoint(options_.restart);
+      if (checkpoint.motion.empty() || checkpoint.totals.size() != 1 || !fits(checkpoint.tiles, flow_, solids_.get()))
+        refuse_checkpoint(options_.restart);
+    });
+    scatter_tiles(checkpoint.tiles, checkpoint.motion.front(), flow_, solids_.get());
+    tracers_.emplace(description_.probes, mapped_, flow_, description_.oscillation.has_value());
+    agree(comm_, [&] { tracers_->restore({checkpoint.motion.begin() + 1, checkpoint.motion.end()}); });
+    earlier_steps_ = static_cast<std::int64_t>(checkpoint.totals.front());
+    next_frame_ = checkpoint.next_frame;
+  }
+
+  double frame_time(int number) const { return description_.time_end * number / description_.frames; }
+  std::int64_t steps() const { return earlier_steps_ + flow_.counts().steps; }
+
+  /// The step from here to `event`, of as many equal ones as it takes.
+  double step_to(double event) const {
+    const double left = event - flow_.time(), count = std::ceil(left * flow_.rate() * (1 - 1e-12));
+    return count > 1 && count < 1e9 ? left / count : left;
+  }
+
   void loop(Progress& progress) {
-    int next = 1;
+    const double interval = description_.checkpoint_interval;
+    double next_checkpoint = next_multiple(flow_.time(), interval);
+    bool cut_short = false;  // steps are no longer those of the whole run
     while (flow_.time() < end_ * (1 - 1e-14)) {
-      const double event =
-          description_.frames > 0 ? std::min(end_, description_.time_end * next / description_.frames) : end_;
-      const double left = event - flow_.time(), fastest = flow_.rate();
-      const double wanted = std::ceil(left * fastest * (1 - 1e-12));  // so many steps of one size
-      const double dt = flow_.advance(wanted > 1 && wanted < 1e9 ? left / wanted : left);
+      const double event = description_.frames > 0 ? frame_time(next_frame_) : description_.time_end;
+      if (!cut_short && flow_.time() + step_to(event) > end_ * (1 + 1e-13)) {
+        cut_short = true;
+        checkpoint();
+      }
+      const double dt = flow_.advance(step_to(cut_short ? end_ : event));
       updates_ += static_cast<double>(grid_.cells[0]) * grid_.cells[1];
-      move_tracers(dt);
+      tracers_->move(dt);
       const auto scope = flow_.timers()("output");
       record();
-      if (description_.frames > 0 && flow_.time() >= event * (1 - 1e-13)) frame(next++);
-      progress.step(flow_.time(), flow_.counts().steps, dt, static_cast<std::int64_t>(updates_));
+      if (description_.frames > 0 && flow_.time() >= event * (1 - 1e-13)) frame(next_frame_++);
+      if (interval > 0 && !cut_short && flow_.time() >= next_checkpoint) {
+        next_checkpoint = next_multiple(flow_.time(), interval);
+        checkpoint();
+      }
+      progress.step(flow_.time(), steps(), dt, static_cast<std::int64_t>(updates_));
     }
+    if (description_.frames > 0 && cut_short) frame(next_frame_);
+    if (end_ < description_.time_end && !cut_short) checkpoint();
   }
 
-  /// Points outside solids move with the fluid (explicit midpoint rule between two steps); those inside are found by
-  /// their map.
-  void move_tracers(double dt) {
-    for (Point<2>& x : tracers_) {
-      if (solid_of(&x - tracers_.data()) >= 0) continue;
-      const Point<2> v = velocity_at(x);
-      x += dt * velocity_at(x + 0.5 * dt * v);
-    }
+  /// The first multiple of the interval after `time`; infinite without an interval.
+  static double next_multiple(double time, double interval) {
+    if (!(interval > 0)) return std::numeric_limits<double>::infinity();
+    return interval * (std::floor(time / interval * (1 + 1e-12)) + 1);
   }
 
-  Point<2> velocity_at(const Point<2>& x) const {
-    std::vector<std::array<double, 2>> mine;
-    if (const std::optional<FlowSample> sample = flow_.sample(x))
-      mine.push_back({sample->velocity.x(), sample->velocity.y()});
-    const auto all = comm_.gather_all(mine);
-    return all.empty() ? Point<2>(0, 0) : Point<2>(all.front()[0], all.front()[1]);
-  }
-
-  /// The solid that holds a probe at t = 0; −1: none.
-  int solid_of(std::ptrdiff_t probe) const {
-    const std::array<double, 2>& X = description_.probes[static_cast<std::size_t>(probe)].position;
-    for (std::size_t b = 0; b < mapped_.size(); ++b)
-      if (mapped_[b].map->level_set()(X[0], X[1]) < 0) return static_cast<int>(b);
-    return -1;
+  void checkpoint() {
+    Checkpoint state{gather_tiles(flow_, solids_.get()), {flow_.time()}, {static_cast<double>(steps())}, next_frame_};
+    for (const double value : tracers_->state()) state.motion.push_back(value);
+    agree(comm_, [&] {
+      if (comm_.rank() == 0) write_checkpoint(state, description_.text, directory_);
+    });
   }
 
   void record() {
@@ -179,15 +176,9 @@ class FlowRun {
       rows.push_back({flow_.time(), solid.name, sum.center.x(), sum.center.y(), v.x(), v.y(), sum.angular_momentum,
                       sum.mass / solid.material.density});
     }
-    for (std::size_t p = 0; p < tracers_.size(); ++p) {
-      const int solid = solid_of(static_cast<std::ptrdiff_t>(p));
-      if (solid >= 0) {
-        const std::array<double, 2>& X = description_.probes[p].position;
-        if (const auto point = material_point(mapped_[static_cast<std::size_t>(solid)], {X[0], X[1]}))
-          tracers_[p] = point->x;
-      }
-      points.push_back({flow_.time(), description_.probes[p].name, tracers_[p].x(), tracers_[p].y()});
-    }
+    tracers_->record();
+    for (std::size_t p = 0; p < tracers_->positions().size(); ++p)
+      points.push_back({flow_.time(), tracers_->name(p), tracers_->positions()[p].x(), tracers_->positions()[p].y()});
     agree(comm_, [&] {
       if (comm_.rank() != 0) return;
       for (const auto& row : rows) solids_file_->row(row);
@@ -197,7 +188,7 @@ class FlowRun {
 
   void frame(int number) {
     if (description_.frames == 0) return;
-    const Snapshot snapshot = snapshot_of(flow_, mapped_);
+    const Snapshot snapshot = gather_flow_snapshot(flow_, mapped_, description_.contours, steps());
     agree(comm_, [&] {
       if (comm_.rank() != 0) return;
       if (series_) series_->write(snapshot);
@@ -205,14 +196,14 @@ class FlowRun {
     });
   }
 
-  void finish(double seconds, const std::string& reason) {
+  RunSummary summary(double seconds, const std::string& reason) {
     RunSummary summary;
     summary.case_name = description_.name;
     summary.scheme = description_.scheme;
     summary.status = reason.empty() ? "finished" : "unstable";
     summary.reason = reason;
     summary.time = flow_.time();
-    summary.steps = flow_.counts().steps;
+    summary.steps = steps();
     summary.ranks = comm_.size();
     summary.wall_seconds = seconds;
     summary.cell_updates = updates_;
@@ -222,18 +213,27 @@ class FlowRun {
     summary.memory_bytes = comm_.sum(static_cast<std::int64_t>(usage.ru_maxrss) * 1024);
     summary.cells.emplace_back(grid_.name, static_cast<std::int64_t>(grid_.cells[0]) * grid_.cells[1]);
     for (const MappedSolid& solid : mapped_) summary.solids.push_back(summary_of(solid));
+    if (description_.oscillation) summary.oscillations = tracers_->oscillations(*description_.oscillation);
     summary.overlap.orphans = comm_.sum(solids_ ? solids_->orphans() : 0);
     summary.provenance = provenance();
     summary.case_text = description_.text;
+    return summary;
+  }
+
+  void finish(double seconds, const std::string& reason) {
+    const RunSummary result = summary(seconds, reason);
     agree(comm_, [&] {
-      if (comm_.rank() == 0) write_summary(summary, directory_ + "/summary.json");
+      if (comm_.rank() == 0) write_summary(result, directory_ + "/summary.json");
     });
     if (comm_.rank() != 0) return;
     if (!reason.empty()) std::fprintf(stderr, "mortise: %s\n", reason.c_str());
     if (options_.quiet) return;
     std::printf("%s: %s at t = %.6g, %lld steps, %.3g s, %.1f million cell updates/s\n", description_.name.c_str(),
-                summary.status.c_str(), summary.time, static_cast<long long>(summary.steps), seconds,
+                result.status.c_str(), result.time, static_cast<long long>(result.steps), seconds,
                 1e-6 * updates_ / std::max(seconds, 1e-9));
+    for (const OscillationSummary& found : result.oscillations)
+      std::printf("%s, %s: amplitude %.4g at frequency %.4g about %.4g\n", found.probe.c_str(), found.component.c_str(),
+                  found.oscillation.amplitude, found.oscillation.frequency, found.oscillation.mean);
     std::printf("summary   %s/summary.json\n", directory_.c_str());
     if (!last_picture_.empty()) std::printf("picture   %s\n", last_picture_.c_str());
   }
@@ -246,9 +246,12 @@ class FlowRun {
   std::unique_ptr<FlowSolids> solids_;
   IncompressibleSolver flow_;
   std::vector<MappedSolid> mapped_;
-  std::vector<Point<2>> tracers_;
+  std::optional<Tracers> tracers_;
   std::string directory_, last_picture_;
   double end_ = 0, updates_ = 0;
+  bool resumed_ = false;
+  int next_frame_ = 1;
+  std::int64_t earlier_steps_ = 0;  // before the restart
   std::optional<CsvWriter> solids_file_, tracers_file_;
   std::optional<SeriesWriter> series_;
 };

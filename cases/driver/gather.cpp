@@ -152,7 +152,7 @@ void add_outlines(const Simulation<1>& simulation, Snapshot& snapshot) {
 }  // namespace
 
 template <int Dim>
-Snapshot gather_snapshot(const Simulation<Dim>& simulation) {
+Snapshot gather_snapshot(const Simulation<Dim>& simulation, bool contours) {
   Snapshot snapshot;
   snapshot.time = simulation.time();
   snapshot.step = static_cast<int>(simulation.steps());
@@ -160,12 +160,12 @@ Snapshot gather_snapshot(const Simulation<Dim>& simulation) {
     snapshot.grids.push_back(fluid_snapshot(simulation, static_cast<int>(g)));
   const std::vector<InterfaceState> interfaces = simulation.interfaces();
   for (const auto& solid : simulation.solids()) add_solid(*solid, interfaces, snapshot);
-  for (const MappedSolid& solid : mapped_solids(simulation)) add_mapped_solid(solid, snapshot);
+  for (const MappedSolid& solid : mapped_solids(simulation)) add_mapped_solid(solid, contours, snapshot);
   add_outlines(simulation, snapshot);
   return snapshot;
 }
 
-template Snapshot gather_snapshot<1>(const Simulation<1>&);
-template Snapshot gather_snapshot<2>(const Simulation<2>&);
+template Snapshot gather_snapshot<1>(const Simulation<1>&, bool);
+template Snapshot gather_snapshot<2>(const Simulation<2>&, bool);
 
 }  // namespace mortise

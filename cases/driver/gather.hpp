@@ -7,8 +7,8 @@
 namespace mortise {
 
 /// The fluid's grids with density, velocity, pressure and Mach number, then the solids' (solid_snapshot.hpp); complete
-/// on every rank. Collective.
+/// on every rank. `contours`: of reference maps, too. Collective.
 template <int Dim>
-Snapshot gather_snapshot(const Simulation<Dim>& simulation);
+Snapshot gather_snapshot(const Simulation<Dim>& simulation, bool contours = false);
 
 }  // namespace mortise

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 #include "mortise/cases/driver/local_cells.hpp"
+#include "mortise/cases/driver/map_contours.hpp"
 #include "mortise/cases/driver/solid_snapshot.hpp"
 
 namespace mortise {
@@ -63,66 +63,18 @@ void for_each_mapped_cell(const MappedSolid& solid, double level, Visit&& visit)
   }
 }
 
-/// Lines φ = 0 between cell centres, as closed polygons: marching squares, saddles joined through their middle value.
-class Contours {
- public:
-  Contours(Index<2> low, Index<2> size, std::vector<double> phi) : low_(low), size_(size), phi_(std::move(phi)) {}
+constexpr double lines_across = 8;    // of the contours, over the mean width of a body
+constexpr double least_distance = 4;  // of them, in cells
 
-  std::vector<std::vector<Point<2>>> polygons(const ComponentGrid<2>& grid) {
-    for (int j = 0; j + 1 < size_[1]; ++j)
-      for (int i = 0; i + 1 < size_[0]; ++i) square(i, j);
-    std::vector<std::vector<Point<2>>> all;
-    while (!links_.empty()) {
-      std::vector<Point<2>> polygon;
-      for (int edge = links_.begin()->first; links_.contains(edge);) {
-        polygon.push_back(crossing(edge, grid));
-        const int next = links_[edge];
-        links_.erase(edge);
-        edge = next;
-      }
-      if (polygon.size() > 2) all.push_back(std::move(polygon));
-    }
-    return all;
-  }
-
- private:
-  double phi(int i, int j) const { return phi_[static_cast<std::size_t>(j * size_[0] + i)]; }
-  // Edges: 2 n leads from point n in direction 0, 2 n + 1 in direction 1.
-  int edge(int i, int j, int direction) const { return 2 * (j * size_[0] + i) + direction; }
-
-  Point<2> crossing(int edge, const ComponentGrid<2>& grid) const {
-    const int n = edge / 2, i = n % size_[0], j = n / size_[0], di = 1 - edge % 2, dj = edge % 2;
-    const double a = phi(i, j), b = phi(i + di, j + dj), s = a / (a - b);
-    const Point<2> from = grid.center({low_[0] + i, low_[1] + j});
-    return from + s * Point<2>(di * grid.spacing.x(), dj * grid.spacing.y());
-  }
-
-  /// Links of the edges of one square; the inside is on the left of every link.
-  void square(int i, int j) {
-    const bool corner[] = {phi(i, j) < 0, phi(i + 1, j) < 0, phi(i + 1, j + 1) < 0, phi(i, j + 1) < 0};
-    const int edges[] = {edge(i, j, 0), edge(i + 1, j, 1), edge(i, j + 1, 0), edge(i, j, 1)};
-    std::vector<int> entries, exits;  // going round counter-clockwise: into the inside, out of it
-    for (int k = 0; k < 4; ++k) {
-      const bool here = corner[k], next = corner[(k + 1) % 4];
-      if (!here && next) entries.push_back(k);
-      if (here && !next) exits.push_back(k);
-    }
-    const bool middle = phi(i, j) + phi(i + 1, j) + phi(i + 1, j + 1) + phi(i, j + 1) < 0;
-    for (std::size_t k = 0; k < entries.size(); ++k) {
-      // Where the inside is joined through the middle an exit belongs to the entry behind it, else to that before it.
-      int best = exits[0];
-      for (const int exit : exits) {
-        const auto turn = [&](int e) { return (e - entries[k] + 4) % 4; };
-        if (middle ? turn(exit) > turn(best) : turn(exit) < turn(best)) best = exit;
-      }
-      links_[edges[best]] = edges[entries[k]];
-    }
-  }
-
-  Index<2> low_, size_;
-  std::vector<double> phi_;
-  std::map<int, int> links_;
-};
+/// Lines of the reference map about the middle of the undeformed body.
+void add_contours(const MappedSolid& solid, const MapSamples& samples, Snapshot& snapshot) {
+  const double h = solid.grid->spacing.minCoeff();
+  const Box<2> box = reference_box(solid.map->level_set(), 0.5 * h);
+  const Point<2> size = box.high - box.low;
+  const double spacing = std::max(std::sqrt(size.prod()) / lines_across, least_distance * h);
+  for (auto& line : lines_of(samples, *solid.grid, 0.5 * (box.low + box.high), spacing))
+    snapshot.contours.push_back(std::move(line));
+}
 
 }  // namespace
 
@@ -153,17 +105,18 @@ std::vector<MappedSolid> mapped_solids(const FlowSolids& solids, const Incompres
   return all;
 }
 
-void add_mapped_solid(const MappedSolid& solid, Snapshot& snapshot) {
+void add_mapped_solid(const MappedSolid& solid, bool contours, Snapshot& snapshot) {
   struct Record {
     Index<2> cell;
     double phi;
+    std::array<double, 2> xi;
     std::array<double, solid_field_names.size()> values;
   };
   const ComponentGrid<2>& grid = *solid.grid;
   std::vector<Record> mine;
   for_each_mapped_cell(solid, everywhere, [&](int t, const Index<2>& c, std::size_t, const MappedCell& cell) {
     const Index<2> first = grid.first_cell(t), index = {first[0] + c[0], first[1] + c[1]};
-    mine.push_back({index, cell.phi, {}});
+    mine.push_back({index, cell.phi, {cell.xi.x(), cell.xi.y()}, {}});
     if (cell.phi < 0)
       mine.back().values = solid_field_values(solid.material, cell.xi, state_of(cell, grid.center(index)));
   });
@@ -186,18 +139,19 @@ void add_mapped_solid(const MappedSolid& solid, Snapshot& snapshot) {
     }
   out.mask.assign(out.cell_count(), mask_hole);
   for (const char* name : solid_field_names) out.fields.emplace_back(name, std::vector<double>(out.cell_count(), 0.0));
-  std::vector<double> phi(out.cell_count(), 1e30);
+  MapSamples samples{low, out.cells, std::vector<double>(out.cell_count(), unknown_phi),
+                     std::vector<Point<2>>(out.cell_count(), Point<2>::Zero())};
   for (const Record& record : all) {
     const std::size_t k = out.cell(record.cell[0] - low[0], record.cell[1] - low[1]);
-    phi[k] = record.phi;
+    samples.phi[k] = record.phi;
+    samples.xi[k] = {record.xi[0], record.xi[1]};
     if (!(record.phi < 0)) continue;
     out.mask[k] = mask_active;
     for (std::size_t f = 0; f < record.values.size(); ++f) out.fields[f].second[k] = record.values[f];
   }
   snapshot.grids.push_back(std::move(out));
-  for (std::vector<Point<2>>& polygon :
-       Contours(low, {high[0] - low[0] + 1, high[1] - low[1] + 1}, std::move(phi)).polygons(grid))
-    snapshot.surfaces.push_back(std::move(polygon));
+  for (auto& polygon : surfaces_of(samples, grid)) snapshot.surfaces.push_back(std::move(polygon));
+  if (contours) add_contours(solid, samples, snapshot);
 }
 
 SolidTotals totals(const MappedSolid& solid, bool with_stress) {

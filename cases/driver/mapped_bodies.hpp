@@ -29,8 +29,9 @@ std::vector<MappedSolid> mapped_solids(const Simulation<2>& simulation);
 inline std::vector<MappedSolid> mapped_solids(const Simulation<1>&) { return {}; }
 std::vector<MappedSolid> mapped_solids(const FlowSolids& solids, const IncompressibleSolver& flow);
 
-/// The cells inside it, with the solid_field_names (solid_snapshot.hpp), and its surface, φ = 0. Collective.
-void add_mapped_solid(const MappedSolid& solid, Snapshot& snapshot);
+/// The cells inside it, with the solid_field_names (solid_snapshot.hpp), its surface, φ = 0, and, if wanted, contours
+/// of its map. Collective.
+void add_mapped_solid(const MappedSolid& solid, bool contours, Snapshot& snapshot);
 
 /// Sums over cells, weighted with the solid's share of them; without strain energy and stress unless with_stress.
 /// Collective.

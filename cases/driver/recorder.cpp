@@ -31,6 +31,31 @@ std::string write_frame(const Snapshot& snapshot, const CaseDescription& descrip
   return first;
 }
 
+void write_checkpoint(const Checkpoint& checkpoint, const std::string& case_text, const std::string& directory) {
+  CheckpointWriter writer(directory + "/checkpoint.h5");
+  writer.write("motion", checkpoint.motion);
+  writer.write("tiles", checkpoint.tiles.keys);
+  writer.write("rates", checkpoint.tiles.rates);
+  writer.write("values", checkpoint.tiles.values);
+  writer.write("totals", checkpoint.totals);
+  writer.write("next_frame", std::vector<std::int64_t>{checkpoint.next_frame});
+  writer.write("case", std::vector<std::string>{case_text});
+  writer.finish();
+}
+
+Checkpoint read_any_checkpoint(const std::string& directory) {
+  const CheckpointReader reader(directory + "/checkpoint.h5");
+  return {{reader.integers("tiles"), reader.doubles("rates"), reader.doubles("values")},
+          reader.doubles("motion"),
+          reader.doubles("totals"),
+          static_cast<int>(reader.integers("next_frame").at(0))};
+}
+
+void refuse_checkpoint(const std::string& directory) {
+  throw EnvironmentError("cannot read the restart \"" + directory +
+                         "/checkpoint.h5\": it is of another scene, its bodies or grids differ");
+}
+
 template <int Dim>
 Recorder<Dim>::Recorder(const CaseDescription& description, const Simulation<Dim>& simulation, std::string directory,
                         const Communicator& comm, std::optional<double> resume_time)
@@ -69,7 +94,7 @@ void Recorder<Dim>::histories(const Simulation<Dim>& simulation) {
 
 template <int Dim>
 void Recorder<Dim>::frame(const Simulation<Dim>& simulation, int number) {
-  Snapshot snapshot = gather_snapshot(simulation);
+  Snapshot snapshot = gather_snapshot(simulation, description_.contours);
   for (GridSnapshot& grid : snapshot.grids) grid.dimension = description_.dimension;
   write([&] {
     if (series_) series_->write(snapshot);
@@ -79,29 +104,15 @@ void Recorder<Dim>::frame(const Simulation<Dim>& simulation, int number) {
 
 template <int Dim>
 void Recorder<Dim>::checkpoint(Simulation<Dim>& simulation, int next_frame, const std::vector<double>& totals) {
-  const TileRecords tiles = gather_tiles(simulation);
-  write([&] {
-    CheckpointWriter writer(directory_ + "/checkpoint.h5");
-    writer.write("motion", simulation.motion_state());
-    writer.write("tiles", tiles.keys);
-    writer.write("rates", tiles.rates);
-    writer.write("values", tiles.values);
-    writer.write("totals", totals);
-    writer.write("next_frame", std::vector<std::int64_t>{next_frame});
-    writer.write("case", std::vector<std::string>{description_.text});
-    writer.finish();
-  });
+  const Checkpoint state{gather_tiles(simulation), simulation.motion_state(), totals, next_frame};
+  write([&] { write_checkpoint(state, description_.text, directory_); });
 }
 
 template <int Dim>
 Checkpoint read_checkpoint(const std::string& directory, const Simulation<Dim>& simulation) {
-  const CheckpointReader reader(directory + "/checkpoint.h5");
-  Checkpoint checkpoint{{reader.integers("tiles"), reader.doubles("rates"), reader.doubles("values")},
-                        reader.doubles("motion"),
-                        reader.doubles("totals"),
-                        static_cast<int>(reader.integers("next_frame").at(0))};
+  Checkpoint checkpoint = read_any_checkpoint(directory);
   if (checkpoint.motion.size() != simulation.motion_state().size() || !fits(checkpoint.tiles, simulation))
-    throw EnvironmentError("cannot read the restart \"" + directory + "/checkpoint.h5\": it is of another scene, its bodies or grids differ");
+    refuse_checkpoint(directory);
   return checkpoint;
 }
 

@@ -18,6 +18,23 @@ namespace mortise {
 std::string write_frame(const Snapshot& snapshot, const CaseDescription& description, const std::string& directory,
                         int number);
 
+/// The state of a run between two steps.
+struct Checkpoint {
+  TileRecords tiles;
+  std::vector<double> motion;  // Simulation::motion_state(); of incompressible flows the time and Tracers::state()
+  std::vector<double> totals;  // of the report; of incompressible flows the number of steps
+  int next_frame = 0;
+};
+
+/// Replaces the checkpoint in `directory`. Throws EnvironmentError.
+void write_checkpoint(const Checkpoint& checkpoint, const std::string& case_text, const std::string& directory);
+
+/// The checkpoint in `directory`, of whatever scene. Throws EnvironmentError when it cannot be read.
+Checkpoint read_any_checkpoint(const std::string& directory);
+
+/// Throws the EnvironmentError that says that the checkpoint there does not belong to the scene.
+[[noreturn]] void refuse_checkpoint(const std::string& directory);
+
 template <int Dim>
 class Recorder {
  public:
@@ -45,14 +62,6 @@ class Recorder {
   Histories<Dim> histories_;
   std::string last_picture_;
   std::exception_ptr failure_;  // the first, on rank 0
-};
-
-/// The state of a run between two steps.
-struct Checkpoint {
-  TileRecords tiles;
-  std::vector<double> motion;  // Simulation::motion_state()
-  std::vector<double> totals;  // of the report
-  int next_frame = 0;
 };
 
 /// The last checkpoint in `directory`. Throws EnvironmentError when it cannot be read or is not of this scene.

@@ -47,7 +47,7 @@ const std::vector<Choice> solid_initial_kinds = {
     {"rest", {}, {}},
     {"exact", {}, {"amplitude", "position", "angle", "wave", "length", "mode"}},
     {"plane_wave", {"amplitude"}, {"position", "angle"}},
-    {"formula", {"displacement"}, {"velocity"}},
+    {"formula", {}, {"displacement", "velocity"}},
 };
 const std::vector<Choice> initial_kinds = {
     {"uniform", {"state"}, {}},

@@ -228,6 +228,22 @@ void check_fluid(const Node& root, const CaseDescription& c) {
       reject(root, "output.pictures", "the picture \"" + picture + "\" of output.pictures needs gas; with an incompressible fluid: vorticity, pressure, velocity, stress");
 }
 
+void check_output(const Node& root, const CaseDescription& c) {
+  const bool mapped = c.scheme == "reference-map" && !c.solids.empty();
+  if (c.contours && !mapped)
+    reject(root, "output.contours", "output.contours = true shows reference maps: it needs scheme = \"reference-map\"");
+  if (!c.oscillation) return;
+  const std::string key = "output.oscillation";
+  if (!mapped || !c.incompressible() || c.probes.empty())
+    reject(root, key,
+           key + " needs scheme = \"reference-map\", fluid.kind = \"incompressible\" and at least one of probes");
+  const auto [begin, end] = *c.oscillation;
+  if (end <= begin || end > c.time_end)
+    reject(root, key,
+           key + " = [" + shortest(begin) + ", " + shortest(end) +
+               "] is not allowed: it must be [from, to] with from < to ≤ time.end = " + shortest(c.time_end));
+}
+
 void check_scheme(const Node& root, const CaseDescription& c) {
   const auto wet = std::find_if(c.solids.begin(), c.solids.end(), [](const auto& b) { return b.wet(); });
   const bool interfaces = wet != c.solids.end();
@@ -295,6 +311,7 @@ void check_case(const Node& root, const CaseDescription& c) {
   check_fluid(root, c);
   for (std::size_t k = 0; k < c.bodies.size(); ++k) check_body(root, c, k);
   check_solids(root, c);
+  check_output(root, c);
   check_places(root, c);
 }
 

@@ -116,6 +116,8 @@ struct CaseDescription {
   std::vector<std::string> pictures = {"schlieren"};
   int picture_width = 1200;                           // pixels
   bool hdf5 = true;
+  bool contours = false;  // lines of constant reference map in the solids, over pictures
+  std::optional<std::array<double, 2>> oscillation;  // times between which probes are searched for oscillations
   double checkpoint_interval = 0;  // time between checkpoints; 0: none
   std::string output;              // directory; default: output/<name>
 

@@ -115,6 +115,10 @@ void visit_output(Section& s, CaseDescription& c) {
   s.choices("pictures", c.pictures, options::pictures, "what the PNG frames show");
   s.integer("picture_width", c.picture_width, {.low = 16, .high = 16384}, "pixels");
   s.boolean("hdf5", c.hdf5, "write HDF5 and XDMF files at the frames");
+  s.boolean("contours", c.contours, "reference-map: lines of constant ξ in the solids, over all pictures");
+  s.interval("oscillation", c.oscillation, non_negative,
+             "incompressible reference-map: times between which the motion of the probes is searched for its amplitude and "
+             "frequency");
   s.number("checkpoint_interval", c.checkpoint_interval, non_negative, "time between checkpoints; 0: none");
   s.text("directory", c.output, "directory of all output; default: output/<case>");
 }

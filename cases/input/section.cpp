@@ -140,6 +140,17 @@ void Section::vector(const char* key, std::array<double, 2>& target, Range range
       [&](std::size_t k, const Node& item, const std::string& path) { target[k] = checked_number(item, path, range); });
 }
 
+void Section::interval(const char* key, std::optional<std::array<double, 2>>& target, Range range,
+                       const char* meaning) {
+  const Node* node = given(key, "[from, to]" + each(range), "", meaning);
+  if (!node) return;
+  target.emplace();
+  components(*node, path_to(key), 2, "an array of 2 numbers",
+             [&](std::size_t k, const Node& item, const std::string& path) {
+               (*target)[k] = checked_number(item, path, range);
+             });
+}
+
 void Section::integers(const char* key, std::array<int, 2>& target, Range range, const char* meaning) {
   const Node* node = given(key, "[nx, ny], in 1D an integer" + each(range), "chosen by the program", meaning);
   if (!node) return;

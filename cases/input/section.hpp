@@ -57,6 +57,8 @@ class Section {
 
   /// [x, y]; in 1D a number.
   void vector(const char* key, std::array<double, 2>& target, Range range, const char* meaning);
+  /// [t0, t1], whatever the dimension.
+  void interval(const char* key, std::optional<std::array<double, 2>>& target, Range range, const char* meaning);
   void integers(const char* key, std::array<int, 2>& target, Range range, const char* meaning);
   void formulas(const char* key, std::string& x, std::string& y, const std::vector<std::string>& variables,
                 const char* meaning);

@@ -50,6 +50,11 @@ void draw_surfaces(Image& image, const Axes& axes, const Snapshot& snapshot, dou
   for (const std::vector<Point<2>>& surface : snapshot.surfaces) image.draw_polyline(axes.pixels(surface), 1.8 * unit, ink::edge, true);
 }
 
+void draw_contours(Image& image, const Axes& axes, const Snapshot& snapshot, double unit) {
+  for (const std::vector<Point<2>>& line : snapshot.contours)
+    image.draw_polyline(axes.pixels(line), 1.0 * unit, ink::frame);
+}
+
 /// Where the solids end: the edges of active cells at the edge of their grid. Where a grid is closed or continued by
 /// another one there is no such edge.
 void draw_solid_edges(Image& image, const Axes& axes, const Snapshot& snapshot, double unit) {
@@ -95,6 +100,7 @@ Image render(const Snapshot& snapshot, const RenderOptions& options) {
   image.clip_to(axes.x0, axes.y0, axes.x1, axes.y1);
   draw_bodies(image, axes, snapshot, unit);
   if (snapshot.surfaces.empty()) draw_solid_edges(image, axes, snapshot, unit);
+  draw_contours(image, axes, snapshot, unit);
   draw_surfaces(image, axes, snapshot, unit);
   image.clip_to_all();
   draw_axes(image, axes, unit);

@@ -42,7 +42,34 @@ Anchor anchor_of(const AnchorDescription& from) {
   return anchor;
 }
 
-FlowBody body_of(const CaseDescription& description, const SolidDescription& from, double spacing) {
+/// A solid that has a velocity of its own at t = 0; without one it moves as the fluid would in its place.
+struct MovingSolid {
+  std::shared_ptr<const LevelSet> level_set;
+  std::function<Point<2>(const Point<2>& x)> reference;  // empty: undeformed
+  SolidFunction state;
+};
+
+bool has_velocity(const SolidDescription& solid) {
+  if (solid.initial.kind == "formula") return !solid.initial.velocity_x.empty() || !solid.initial.velocity_y.empty();
+  return solid.velocity != std::array<double, 2>{} || solid.angular_velocity != 0;
+}
+
+/// Throws InputError for solids that reach beyond the domain at t = 0.
+void check_inside(const SolidDescription& from, const Outline& outline, const SolidFunction& initial,
+                  const Box<2>& domain) {
+  Box<2> box;
+  for (const Point<2>& X : outline.polygon()) box.include(X + initial(X, 0).displacement);
+  const Point<2> below = domain.low - box.low, above = box.high - domain.high;
+  const double slack = 1e-9 * (domain.high - domain.low).maxCoeff();
+  for (const auto& [side, beyond] :
+       {std::pair{"left", below.x()}, {"right", above.x()}, {"bottom", below.y()}, {"top", above.y()}})
+    if (beyond > slack)
+      throw InputError(from.place + ": " + from.name + " reaches " + std::to_string(beyond) + " beyond the " + side +
+                       " side of the domain: move it inside");
+}
+
+FlowBody body_of(const CaseDescription& description, const SolidDescription& from, double spacing,
+                 const Box<2>& domain) {
   refuse_what_cannot_be_mapped(description, from);
   FlowBody body;
   body.name = from.name;
@@ -51,6 +78,7 @@ FlowBody body_of(const CaseDescription& description, const SolidDescription& fro
   const Pose<2> pose = pose_of(from);
   body.level_set = level_set_of(description, from, spacing);
   const SolidFunction initial = solid_function(from, material_of(from), nullptr);
+  check_inside(from, outline_of(from).centered().placed(pose), initial, domain);
   if (from.initial.kind == "formula")
     body.reference = [initial](const Point<2>& x) { return reference_point(initial, x); };
   if (!from.actuation.empty()) {
@@ -100,15 +128,18 @@ FlowScene build_flow_scene(const CaseDescription& description) {
   flow.tolerance = 1e-6;
   const auto initial = std::make_shared<InitialState<2>>(description);
   const std::vector<SolidDescription>& solids = description.solids;
-  std::vector<std::pair<std::shared_ptr<const LevelSet>, SolidFunction>> moving;  // solids with a velocity of their own
+  std::vector<MovingSolid> moving;
   for (const SolidDescription& solid : solids) {
-    scene.solids.bodies.push_back(body_of(description, solid, spacing));
-    if (solid.velocity != std::array<double, 2>{} || solid.angular_velocity != 0)
-      moving.emplace_back(scene.solids.bodies.back().level_set, solid_function(solid, material_of(solid), nullptr));
+    scene.solids.bodies.push_back(body_of(description, solid, spacing, flow.domain));
+    const FlowBody& body = scene.solids.bodies.back();
+    if (has_velocity(solid))
+      moving.push_back({body.level_set, body.reference, solid_function(solid, material_of(solid), nullptr)});
   }
   flow.velocity = [initial, moving](const Point<2>& x) -> Point<2> {
-    for (const auto& [level_set, state] : moving)
-      if ((*level_set)(x.x(), x.y()) < 0) return state(x, 0).velocity;
+    for (const MovingSolid& solid : moving) {
+      const Point<2> X = solid.reference ? solid.reference(x) : x;
+      if ((*solid.level_set)(X.x(), X.y()) < 0) return solid.state(X, 0).velocity;
+    }
     const Primitive<2> W = (*initial)(x);
     return {W.velocity[0], W.velocity[1]};
   };

@@ -37,6 +37,15 @@ Json to_json(const InterfaceSummary& interface) {
           {"force", interface.force}};
 }
 
+Json to_json(const OscillationSummary& found) {
+  return {{"probe", found.probe},
+          {"component", found.component},
+          {"mean", found.oscillation.mean},
+          {"amplitude", found.oscillation.amplitude},
+          {"frequency", found.oscillation.frequency},
+          {"half_range", found.oscillation.half_range}};
+}
+
 template <class Item>
 Json list(const std::vector<Item>& items) {
   Json all = Json::array();
@@ -75,6 +84,7 @@ Json to_json(const RunSummary& run) {
   json["bodies"] = list(run.bodies);
   json["solids"] = list(run.solids);
   json["interfaces"] = list(run.interfaces);
+  if (!run.oscillations.empty()) json["oscillations"] = list(run.oscillations);
   json["overlap"] = {{"orphans", run.overlap.orphans},
                      {"fringe", run.overlap.fringe},
                      {"holes", run.overlap.holes},

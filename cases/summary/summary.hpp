@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "mortise/cases/summary/oscillation.hpp"
 #include "mortise/cases/summary/provenance.hpp"
 
 namespace mortise {
@@ -48,6 +49,12 @@ struct InterfaceSummary {
   std::vector<double> force;  // of the fluid on the structure
 };
 
+/// How a probe moved along one direction in the window that the case asks for.
+struct OscillationSummary {
+  std::string probe, component;  // component: x, y
+  Oscillation oscillation;
+};
+
 /// Relative change over the run of what a closed scene (walls, periodic sides, free or resting sides of solids)
 /// contains: gas, bodies and solids, less the work of the pressure at which solids are in equilibrium; overlapping
 /// cells are shared out smoothly, so that interpolation between grids shows as a defect. NaN where it is not a
@@ -78,6 +85,7 @@ struct RunSummary {
   std::vector<BodySummary> bodies;
   std::vector<SolidSummary> solids;
   std::vector<InterfaceSummary> interfaces;
+  std::vector<OscillationSummary> oscillations;  // empty where none were asked for, or their window was not reached
   OverlapSummary overlap;
   std::int64_t contacts = 0;        // impulses between bodies, or bodies and walls
   std::int64_t repeated_steps = 0;  // with half the Δt, after an inadmissible state

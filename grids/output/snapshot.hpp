@@ -51,6 +51,7 @@ struct Snapshot {
   std::vector<GridSnapshot> grids;
   std::vector<std::vector<Point<2>>> outlines;  // of rigid bodies now, closed polygons; 1D: the two ends (x, 0)
   std::vector<std::vector<Point<2>>> surfaces;  // closed polygons around solids whose cells do not end on them
+  std::vector<std::vector<Point<2>>> contours;  // open lines that were straight in the undeformed solids
 };
 
 /// A 1D grid as a single row of cells: nodes at y = 0 and again at y = h, the mean cell width.

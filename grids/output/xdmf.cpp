@@ -141,6 +141,7 @@ void write_fields(const std::string& path, const Snapshot& snapshot) {
   for (std::size_t k = 0; k < snapshot.grids.size(); ++k) write_grid(file, folder(k), snapshot.grids[k]);
   write_polygons(file, "outlines", snapshot.outlines);
   write_polygons(file, "surfaces", snapshot.surfaces);
+  if (!snapshot.contours.empty()) write_polygons(file, "contours", snapshot.contours);
   file.close();
 }
 
@@ -181,6 +182,7 @@ Snapshot read_snapshot(const std::string& path) {
   for (std::size_t k = 0; k < snapshot.grids.size(); ++k) read_grid(file, folder(k), snapshot.grids[k]);
   snapshot.outlines = read_polygons(file, "outlines");
   snapshot.surfaces = read_polygons(file, "surfaces");
+  if (file.has("contours")) snapshot.contours = read_polygons(file, "contours");
   return snapshot;
 }
 

@@ -31,5 +31,35 @@ TEST(FlowSolids, SwellingMaterialTakesItsStretch) {
   EXPECT_NEAR(at(0, 0.3).y(), 0.3 / 1.1, 0.01);
 }
 
+/// The corners of a star about the origin, the first one on the x axis.
+std::string star(int points, double outer, double inner) {
+  std::string corners;
+  for (int k = 0; k < 2 * points; ++k) {
+    const double angle = M_PI * k / points, radius = k % 2 == 0 ? outer : inner;
+    corners += (k == 0 ? "[" : ", [") + std::to_string(radius * std::cos(angle)) + ", " +
+               std::to_string(radius * std::sin(angle)) + "]";
+  }
+  return "[" + corners + "]";
+}
+
+// Sharp corners, of both kinds. The fluid they stir takes part of the spin, some of it at once.
+TEST(FlowSolids, StarsAndSquaresSpinInALiquid) {
+  for (const std::string& shape : {"shape=\"polygon\", corners=" + star(7, 0.7, 0.4) + ", fillet=0.01",
+                                   std::string("shape=\"rectangle\", size=[0.8, 0.8], fillet=0.01")}) {
+    FlowCase spinning("spinning_disk", {"solids=[{" + shape + ", angular_velocity=2, material={law=\"neo_hookean\", " +
+                                        "density=1, lambda=1, mu=10}}]"});
+    const double before = spinning.angular_momentum(), mass = spinning.solid().mass;
+    const Point<2> X = Point<2>(0.3, 0);
+    spinning.run(0.2);
+    EXPECT_NEAR(spinning.solid().mass, mass, 0.01 * mass) << shape;
+    EXPECT_NEAR(spinning.angular_momentum(), before, 0.02 * before) << shape;
+    EXPECT_LE(spinning.solids.orphans(), 7) << shape;  // at most one at a tip
+    const Point<2> x = material_point(mapped_solids(spinning.solids, spinning.flow)[0], X)->x;
+    EXPECT_GT(std::atan2(x.y(), x.x()), 0.15) << shape;
+    EXPECT_LT(std::atan2(x.y(), x.x()), 0.4) << shape;
+    EXPECT_NEAR(x.norm(), 0.3, 0.01) << shape;
+  }
+}
+
 }  // namespace
 }  // namespace mortise::testing

@@ -25,6 +25,14 @@ Arguments soft_disk(const std::string& keys, const std::string& material = "dens
   return sets({"solids=[{shape=\"circle\", " + keys + ", material={" + material + "}}]"});
 }
 
+/// The same disk as the only body, in a liquid.
+Arguments in_liquid(const std::string& keys, const Arguments& more) {
+  Arguments all = soft_disk(keys);
+  for (const Arguments& part : {sets({"bodies=[]", "scheme=reference-map", "fluid.kind=incompressible"}), sets(more)})
+    all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
 Arguments with(Arguments arguments, const Arguments& more) {
   arguments.insert(arguments.end(), more.begin(), more.end());
   return arguments;
@@ -156,6 +164,26 @@ std::vector<Mistake> mistakes() {
       {"incompressible_fluid_under_another_scheme",
        with(soft_disk("radius=0.2, position=[0, 0.6]"), sets({"bodies=[]", "fluid.kind=incompressible"})),
        {"needs scheme = \"reference-map\""}},
+      {"oscillation_in_gas", sets({"output.oscillation=[0, 0.1]"}), {"output.oscillation needs scheme = \"reference-map\""}},
+      {"oscillation_without_probes",
+       in_liquid("radius=0.2, position=[0, 0]", {"output.oscillation=[0, 0.1]"}),
+       {"output.oscillation needs", "at least one of probes"}},
+      {"oscillation_from_late_to_early",
+       in_liquid("radius=0.2, position=[0, 0]", {"probes=[{position=[0, 0]}]", "output.oscillation=[0.05, 0.05]"}),
+       {"output.oscillation = [0.05, 0.05] is not allowed", "from < to ≤ time.end = 0.1"}},
+      {"oscillation_after_the_end",
+       in_liquid("radius=0.2, position=[0, 0]", {"probes=[{position=[0, 0]}]", "output.oscillation=[0.05, 0.2]"}),
+       {"output.oscillation = [0.05, 0.2] is not allowed"}},
+      {"contours_without_a_reference_map", sets({"output.contours=true"}), {"it needs scheme = \"reference-map\""}},
+      {"solid_outside_of_a_liquid",
+       in_liquid("radius=0.2, position=[0, 2]", {}),
+       {"solids.0.position is outside the domain"}},
+      {"solid_reaching_out_of_a_liquid",
+       in_liquid("radius=0.25, position=[0.8, 0]", {}),
+       {"circle_0 reaches 0.05", "beyond the right side of the domain"}},
+      {"displaced_solid_reaching_out_of_a_liquid",
+       in_liquid("radius=0.25, position=[0, 0.7], initial={kind=\"formula\", displacement=[0, 0.1]}", {}),
+       {"circle_0 reaches 0.05", "beyond the top side of the domain"}},
       {"solid_on_body", soft_disk("radius=0.2, position=[0.1, 0]"), {"overlaps solids.0 (circle_2)", "at t = 0"}},
       {"inverted_solid",
        soft_disk("radius=0.2, position=[0, 0.6], initial={kind=\"formula\", displacement=[\"-2*x\", 0]}"),

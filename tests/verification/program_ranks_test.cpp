@@ -52,6 +52,14 @@ TEST(ProgramRanks, HoleInAPlate) {
   expect_same(folder, hole_in_plate(), {1, 2, 4});
 }
 
+TEST(ProgramRanks, SpinningDiskInALiquid) {
+  const ScratchFolder folder;
+  const std::string one = run(folder, "one", spinning_disk(), 0), two = run(folder, "two", spinning_disk(), 2);
+  ASSERT_GE(files_in(one).size(), 8U);
+  EXPECT_EQ(differences(one, two), std::vector<std::string>{});
+  EXPECT_EQ(summary_of(two)["ranks"], 2);
+}
+
 TEST(ProgramRanks, CylindersInContact) {
   const ScratchFolder folder;
   expect_same(folder, {"many_cylinders", "--quiet", "--frames", "3", "--until", "1.2", "--set", "grid.factor=4"}, {3});

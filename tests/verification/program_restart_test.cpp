@@ -48,6 +48,21 @@ TEST_F(Restart, SoftSticksAsAReferenceMap) {
 }
 TEST_F(Restart, HoleInAPlate) { expect_same(hole_in_plate(), {"0.25", "0.3"}); }
 
+TEST_F(Restart, SpinningDiskInALiquid) { expect_same(spinning_disk(), {"0.04", "0.05"}); }
+
+// The history that oscillations are found in goes on, too.
+TEST_F(Restart, OscillationsInALiquid) {
+  const Arguments scene = spinning_disk() + Arguments{"--set", "output.oscillation=[0.01, 0.1]"};
+  const std::string whole = run(scene, "whole");
+  EXPECT_EQ(summary_of(whole)["oscillations"].size(), 4U);
+  run(scene, "parts", {"--until", "0.04"});
+  EXPECT_FALSE(summary_of(folder / "parts").contains("oscillations"));
+  EXPECT_EQ(differences(whole, go_on(scene, "parts"), work), std::vector<std::string>{});
+  EXPECT_EQ(run_program(Arguments{"run"} + piston() + Arguments{"--restart", folder / "parts"}).status, 4);
+  const Arguments other = {"--set", "probes=[{position=[0.25, 0]}]", "--restart", folder / "parts"};
+  EXPECT_EQ(run_program(Arguments{"run"} + scene + other).status, 4) << "another number of probes";
+}
+
 /// An elastic piston that takes several steps within one of the gas, or one within several.
 Arguments elastic_piston(const std::string& scheme, double scale) {
   return {"elastic_piston", "--quiet",

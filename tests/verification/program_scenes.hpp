@@ -69,4 +69,22 @@ inline Arguments hole_in_plate() {
           "output.checkpoint_interval=0.2"};
 }
 
+/// A soft disk that spins up the fluid around it, on 16 tiles, with a probe in each.
+inline Arguments spinning_disk() {
+  return {"spinning_disk",
+          "--quiet",
+          "--frames",
+          "2",
+          "--set",
+          "grid.tile=[16, 16]",
+          "--set",
+          "time.end=0.1",
+          "--set",
+          "output.picture_width=300",
+          "--set",
+          "output.checkpoint_interval=0.03",
+          "--set",
+          "probes=[{name=\"inside\", position=[0.25, 0]}, {name=\"outside\", position=[0.6, 0]}]"};
+}
+
 }  // namespace mortise::testing
