@@ -74,7 +74,8 @@ TEST_F(ProgramFlow, ProbeInASolidTurnsWithIt) {
     if (row.at("probe") == "inside") inside.push_back(row);
   const double x = value(inside.back(), "x"), y = value(inside.back(), "y");
   EXPECT_NEAR(std::hypot(x, y), 0.25, 2e-3);
-  EXPECT_NEAR(std::atan2(y, x), 2 * 0.1, 0.01);  // ω t, a little less: the fluid brakes it
+  EXPECT_LT(std::atan2(y, x), 2 * 0.1);  // ω t, but the fluid brakes it
+  EXPECT_GT(std::atan2(y, x), 0.17);
 }
 
 TEST_F(ProgramFlow, OscillationsOfProbesAreInTheSummary) {
