@@ -58,7 +58,8 @@ void for_each_mapped_cell(const MappedSolid& solid, double level, Visit&& visit)
     for (int j = window.low[1]; j < window.high[1]; ++j)
       for (int i = window.low[0]; i < window.high[0]; ++i) {
         const std::size_t k = shape.at(i, j);
-        if (map.component(3)[k] < solid.map->layers() && map.component(2)[k] < level) visit(t, Index<2>{i, j}, k, cell_of(solid, t, k));
+        if (map.component(3)[k] < solid.map->layers() && map.component(2)[k] < level)
+          visit(t, Index<2>{i, j}, k, cell_of(solid, t, k));
       }
   }
 }

@@ -12,6 +12,8 @@ namespace {
 
 constexpr std::array<double, BodyMap::components> nothing = {0, 0, 1e30, BodyMap::unknown};
 
+constexpr double replaced = 98;  // in place of a layer: holds ξ that is to be replaced
+
 Field<2> empty_field(const ComponentGrid<2>& grid) {
   return Field<2>::unallocated(grid.shape, BodyMap::components, grid.forest.local_count());
 }
@@ -148,7 +150,9 @@ void BodyMap::measure(TileBlock& block, const TileWindow& window, double first_l
     const Pack layer = load(block.component(3) + k);
     double* const phi = block.component(2) + k;
     own = own & (layer >= first_layer) & (layer < unknown);
-    if (any(own)) store(phi, select(own, (*setup_.level_set)(load(block.component(0) + k), load(block.component(1) + k)), load(phi)));
+    if (any(own))
+      store(phi,
+            select(own, (*setup_.level_set)(load(block.component(0) + k), load(block.component(1) + k)), load(phi)));
   });
 }
 
@@ -179,6 +183,12 @@ void BodyMap::settle() {
 }
 
 void BodyMap::extend() {
+  continue_band();
+  if (setup_.keeps_volume) repair();
+  for (const int t : held(now_)) measure(now_.tile(t), now_windows_[index(t)], 1);
+}
+
+void BodyMap::continue_band() {
   const std::vector<int> tiles = held(now_);
   const TileWindow cells = tile_cells(grid_.shape);
   orphans_ = 0;
@@ -190,7 +200,50 @@ void BodyMap::extend() {
     }
     fill_ghosts(now_, now_windows_);
   }
-  for (const int t : tiles) measure(now_.tile(t), now_windows_[index(t)], 1);
+}
+
+/// Where liquid shears past a surface it may tear at the map of the cells there, layer after layer, since no stress
+/// brings back their volume. Cells within two of the surface that have lost or gained half of it are continued from
+/// those further inside, as the band is.
+void BodyMap::repair() {
+  const double depth = -2 * grid_.spacing.maxCoeff();
+  const TileWindow cells = tile_cells(grid_.shape);
+  const std::vector<int> tiles = held(now_);
+  std::int64_t count = 0;
+  for (const int t : tiles) {
+    TileBlock& block = now_.tile(t);
+    std::vector<std::size_t> wrong;
+    for_packs(grid_.shape, now_windows_[index(t)] & cells, [&](std::size_t k, PackMask own) {
+      const Pack det = map_determinant(block, k, grid_.shape.stride, grid_.spacing);
+      own = own & (load(block.component(3) + k) == 0) & (load(block.component(2) + k) > depth) &
+            ~((det >= 0.5) & (det <= 2));
+      for (int l = 0; l < simd_width && any(own); ++l)
+        if (own[l]) wrong.push_back(k + static_cast<std::size_t>(l));
+    });
+    for (const std::size_t k : wrong) block.component(3)[k] = replaced;
+    count += static_cast<std::int64_t>(wrong.size());
+  }
+  if (!grid_.forest.communicator().any(count > 0)) return;
+  repaired_ += count;
+  for (const int t : tiles)
+    for_packs(grid_.shape, now_windows_[index(t)], [&](std::size_t k, PackMask own) {
+      const Pack layer = load(now_.tile(t).component(3) + k);
+      empty(now_.tile(t), k, own & (layer != 0));
+      double* const phi = now_.tile(t).component(2) + k;
+      store(phi, select(own & (layer == replaced), Pack{}, load(phi)));  // marks what comes back inside if φ < 0
+    });
+  continue_band();
+  for (const int t : tiles)
+    for_packs(grid_.shape, now_windows_[index(t)] & cells, [&](std::size_t k, PackMask own) {
+      TileBlock& block = now_.tile(t);
+      double *const phi = block.component(2) + k, *const layer = block.component(3) + k;
+      own = own & (load(phi) == 0) & (load(layer) < unknown);
+      if (!any(own)) return;
+      const Pack level = (*setup_.level_set)(load(block.component(0) + k), load(block.component(1) + k));
+      store(phi, select(own, level, load(phi)));
+      store(layer, select(own & (level < 0), Pack{}, load(layer)));
+    });
+  fill_ghosts(now_, now_windows_);
 }
 
 /// From neighbours; beyond the sides of the domain linearly from the two cells there, where both hold the map.
@@ -263,8 +316,7 @@ void BodyMap::advect_tile(int tile, const Field<2>& field, Field<2>& to_field, c
   TileBlock& to = to_field.tile(tile);
   const std::ptrdiff_t s = shape.stride;
   const double cx = time / grid_.spacing.x(), cy = time / grid_.spacing.y();
-  const TileWindow window =
-      (&field == &now_ ? now_windows_ : half_windows_)[index(tile)] & tile_cells(shape);
+  const TileWindow window = (&field == &now_ ? now_windows_ : half_windows_)[index(tile)] & tile_cells(shape);
   for (int j = window.low[1]; j < window.high[1]; ++j) {
     const std::size_t k = shape.at(0, j);
     const double* layer = from.component(3) + k;
@@ -331,10 +383,12 @@ bool BodyMap::admissible(const Field<2>& field, const Windows& windows) const {
     for (int j = window.low[1]; j < window.high[1]; ++j)
       for (int i = window.low[0]; i < window.high[0]; i += simd_width) {
         const std::size_t k = grid_.shape.at(i, j);
-        const double *x = block.component(0) + k, *y = block.component(1) + k;
-        const Pack det = (load(x + 1) - load(x - 1)) * (load(y + s) - load(y - s)) -
-                         (load(x + s) - load(x - s)) * (load(y + 1) - load(y - 1));
-        const PackMask inside = (load(block.component(3) + k) == 0) & lanes_below(window.high[0] - i);
+        const Pack det = map_determinant(block, k, s, grid_.spacing);
+        const double* const layer = block.component(3) + k;
+        PackMask inside = (load(layer) == 0) & lanes_below(window.high[0] - i);
+        if (setup_.keeps_volume)  // cells beside the surface are repaired
+          inside = inside & (load(layer - 1) == 0) & (load(layer + 1) == 0) & (load(layer - s) == 0) &
+                   (load(layer + s) == 0);
         bad |= inside & ~(det > 0);
       }
   }

@@ -36,7 +36,10 @@ class BodyMap {
     SolidLaw law;
     std::shared_ptr<const LevelSet> level_set;
     std::function<Point<2>(const Point<2>& x)> initial;  // ξ at t = 0 where the body is, and a band around it
-    int layers = 6;  // of the band
+    int layers = 6;                                      // of the band
+    // A body that keeps its volume: cells beside its surface whose map says otherwise, det ∂ξ/∂x outside [½, 2], are
+    // taken to be wrong.
+    bool keeps_volume = false;
   };
 
   /// `grid` is not owned. Throws InputError when tiles are narrower than reach() cells.
@@ -68,6 +71,8 @@ class BodyMap {
   const LevelSet& level_set() const { return *setup_.level_set; }
   /// Cells of the band that could not be continued from any neighbours, in the last step on this rank.
   std::int64_t orphans() const { return orphans_; }
+  /// Cells whose map was replaced because it did not keep its volume, over all steps on this rank.
+  std::int64_t repaired() const { return repaired_; }
   std::size_t memory_bytes() const;
 
  private:
@@ -80,7 +85,9 @@ class BodyMap {
   void classify(TileBlock& block, const TileWindow& window) const;
   void measure(TileBlock& block, const TileWindow& window, double first_layer) const;
   void settle();
+  void repair();
   void extend();
+  void continue_band();
   void fill_ghosts(Field<2>& field, const Windows& windows) const;
   void copy_ghosts(Field<2>& field, int tile, const Index<2>& offset, const TileWindow& window) const;
   void fill_ghosts_beyond(TileBlock& block, const Index<2>& outward, const TileWindow& window) const;
@@ -91,7 +98,7 @@ class BodyMap {
   Field<2> now_, half_;
   Windows now_windows_, half_windows_;
   GhostExchange<2> exchange_;
-  std::int64_t orphans_ = 0;
+  std::int64_t orphans_ = 0, repaired_ = 0;
 };
 
 }  // namespace mortise

@@ -20,6 +20,8 @@ void check(const FlowSolidsSetup& setup) {
   }
 }
 
+constexpr double restoring = 0.05;  // rate at which drifted volumes come back, in parts of the fastest rate
+
 /// Where an anchor takes its material: x = origin + turn (ξ − center), and the rate of that.
 struct Motion {
   Point<2> origin;
@@ -38,9 +40,10 @@ FlowSolids::FlowSolids(FlowSolidsSetup setup, const ComponentGrid<2>& grid)
   for (const FlowBody& body : setup_.bodies) {
     BodyMap::Setup map{body.name, SolidLaw{body.density, 0, body.shear_modulus, 0, 2, true}, body.level_set,
                        body.reference};
-    // Edges with a share of the solid lie within blur + ½ cells, their stencils within 1.2 more; the half step needs one
-    // layer more than it keeps.
+    // Edges with a share of the solid lie within blur + ½ cells, their stencils within 1.2 more; the half step needs
+    // one layer more than it keeps.
     map.layers = static_cast<int>(std::ceil(setup_.blur + 2.5)) + 1;
+    map.keeps_volume = true;
     if (!map.initial) map.initial = [](const Point<2>& x) { return x; };
     maps_.push_back(std::make_unique<BodyMap>(std::move(map), grid));
   }
@@ -120,11 +123,11 @@ void FlowSolids::write_tile(int t, bool half, double time, SolidFields& fields) 
   TileWindow& written = written_[static_cast<std::size_t>(t)];
   reset(t, written | around, fields);
   written = around;
-  const EdgeSolids edges{&grid_, t,    setup_.blur * grid_.spacing.minCoeff(), setup_.fluid_viscosity, setup_.damping,
-                         time,   velocity_ ? &velocity_->tile(t) : nullptr,   &fields};
+  const EdgeSolids edges{&grid_,         t,    setup_.blur * grid_.spacing.minCoeff(),    setup_.fluid_viscosity,
+                         setup_.damping, time, velocity_ ? &velocity_->tile(t) : nullptr, &fields};
   for (const EdgeBody& body : bodies) {
     const TileWindow cells = body.window & tile_cells(grid_.shape);
-    add_density(t, *body.body, *body.map, cells, fields);
+    add_volume(t, *body.body, *body.map, cells, fields);
     for (const Anchor& anchor : body.body->anchors) add_anchor(t, *body.body, anchor, time, *body.map, cells, fields);
     add_elastic(edges, body);
     for (const EdgeBody& other : bodies)
@@ -151,19 +154,31 @@ void FlowSolids::reset(int t, const TileWindow& window, SolidFields& fields) con
         std::fill_n(field.tile(t).component(c) + grid_.shape.at(window.low[0], j), width, value);
   };
   fill(fields.density, 1, setup_.fluid_density);
+  fill(fields.divergence, 1, 0.0);
   fill(fields.viscosity, 2, setup_.fluid_viscosity);
   for (Field<2>* field : {&fields.stress_x, &fields.stress_y, &fields.force}) fill(*field, 2, 0.0);
 }
 
-void FlowSolids::add_density(int t, const FlowBody& body, const TileBlock& map, const TileWindow& window,
-                             SolidFields& fields) const {
-  const double inverse_width = 1 / (setup_.blur * grid_.spacing.minCoeff()), excess = body.density - setup_.fluid_density;
+/// Density, and the divergence that brings det ∂ξ/∂x back to 1, since no stress does that in a liquid; not beside the
+/// surface, where it would draw liquid in.
+void FlowSolids::add_volume(int t, const FlowBody& body, const TileBlock& map, const TileWindow& window,
+                            SolidFields& fields) const {
+  const double width = setup_.blur * grid_.spacing.minCoeff(), inverse_width = 1 / width;
+  const double excess = body.density - setup_.fluid_density, rate = restoring * fastest_;
+  const std::ptrdiff_t s = grid_.shape.stride;
   for (int j = window.low[1]; j < window.high[1]; ++j)
     for (int i = window.low[0]; i < window.high[0]; i += simd_width) {
       const std::size_t k = grid_.shape.at(i, j);
-      double* const density = fields.density.tile(t).component(0) + k;
-      const Pack share = solid_share(load(map.component(2) + k), inverse_width);
-      store(density, load(density) + select(lanes_below(window.high[0] - i), Pack(share * excess), Pack{}));
+      const Pack phi = load(map.component(2) + k), share = solid_share(phi, inverse_width);
+      const PackMask own = lanes_below(window.high[0] - i) & (share > 0);
+      if (!any(own)) continue;
+      double *const density = fields.density.tile(t).component(0) + k, *const divergence =
+                                                                           fields.divergence.tile(t).component(0) + k;
+      store(density, load(density) + select(own, Pack(share * excess), Pack{}));
+      const Pack deep = solid_share(phi + width, inverse_width);
+      const Pack excess_of_det =
+          min(max(map_determinant(map, k, s, grid_.spacing) - 1.0, broadcast(-0.5)), broadcast(0.5));
+      store(divergence, load(divergence) + select(own & (deep > 0), Pack((rate * deep) * excess_of_det), Pack{}));
     }
 }
 
@@ -179,8 +194,8 @@ void FlowSolids::add_anchor(int t, const FlowBody& body, const Anchor& anchor, d
       const std::size_t k = grid_.shape.at(i, j);
       if (!(map.component(3)[k] < unknown_layer)) continue;
       const Point<2> arm = Point<2>(map.component(0)[k], map.component(1)[k]) - anchor.center;
-      const double share = solid_share(arm.norm() - anchor.radius, inverse_width) *
-                           solid_share(map.component(2)[k], inverse_width);
+      const double share =
+          solid_share(arm.norm() - anchor.radius, inverse_width) * solid_share(map.component(2)[k], inverse_width);
       if (share == 0) continue;
       const Point<2> x = grid_.center({first[0] + i, first[1] + j});
       const Point<2> rate = (after.origin - before.origin + (after.turn - before.turn) * arm) / (2 * instant);

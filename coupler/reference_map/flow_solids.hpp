@@ -1,10 +1,11 @@
 // Neo-Hookean solids in an incompressible flow, by their reference maps (body_map.hpp): one velocity for both,
-//   σ = s (τ + τ_contact) + (1 − Σ s) μ_f (∇v + ∇vᵀ),   τ = G (F Fᵀ − ⅓ (tr F Fᵀ + 1) I),   ρ = (1 − Σ s) ρ_f + Σ s ρ_s,
-// plane strain; for the s of tractions and of viscosity see solid_edges.cpp (Rycroft, Wu, Yu & Kamrin, Journal of Fluid Mechanics 898, A9, 2020). Maps and velocities are staggered
-// in time, as in reference_map_scene.hpp, so that elastic waves need no viscosity to be stable. What is as short as the
-// cells is damped as by the upwinding of a Riemann problem: by part of the impedance times the jump of linearly
-// reconstructed velocities, a third difference, which is nothing for smooth motion and for rigid rotation, and does not
-// limit Δt.
+//   σ = s (τ + τ_contact) + (1 − Σ s) μ_f (∇v + ∇vᵀ),   τ = G (F Fᵀ − ⅓ (tr F Fᵀ + 1) I),   ρ = (1 − Σ s) ρ_f + Σ s
+//   ρ_s,
+// plane strain; for the s of tractions and of viscosity see solid_edges.cpp (Rycroft, Wu, Yu & Kamrin, Journal of Fluid
+// Mechanics 898, A9, 2020). Maps and velocities are staggered in time, as in reference_map_scene.hpp, so that elastic
+// waves need no viscosity to be stable. What is as short as the cells is damped as by the upwinding of a Riemann
+// problem: by part of the impedance times the jump of linearly reconstructed velocities, a third difference, which is
+// nothing for smooth motion and for rigid rotation, and does not limit Δt.
 #pragma once
 
 #include <functional>
@@ -16,8 +17,9 @@
 
 namespace mortise {
 
-/// Material within about `radius` of `center` (reference position, the edge as blurred as a surface) is held, by springs and dampers as stiff as the step
-/// allows, where the motion takes it: x = center + shift(t) + R(angle(t)) (ξ − center).
+/// Material within about `radius` of `center` (reference position, the edge as blurred as a surface) is held, by
+/// springs and dampers as stiff as the step allows, where the motion takes it: x = center + shift(t) + R(angle(t)) (ξ −
+/// center).
 struct Anchor {
   Point<2> center = Point<2>::Zero();
   double radius = 0;
@@ -39,8 +41,9 @@ struct FlowBody {
 
 struct FlowSolidsSetup {
   std::vector<FlowBody> bodies;
-  double blur = 2;        // half width of the blur zone in cells
-  double damping = 0.05;  // part of half the impedance with which velocities that differ across an edge pull at each other
+  double blur = 2;  // half width of the blur zone in cells
+  double damping =
+      0.05;  // part of half the impedance with which velocities that differ across an edge pull at each other
   double fluid_density = 1, fluid_viscosity = 0;
   std::array<bool, 4> walls{};  // west, east, south, north: sides that push bodies back within 3 blur widths
 };
@@ -67,8 +70,8 @@ class FlowSolids : public Solids {
   void write_tile(int tile, bool half, double time, SolidFields& fields);
   bool near_side(int tile, std::size_t side, const TileWindow& window) const;
   void reset(int tile, const TileWindow& window, SolidFields& fields) const;
-  void add_density(int tile, const FlowBody& body, const TileBlock& map, const TileWindow& window,
-                   SolidFields& fields) const;
+  void add_volume(int tile, const FlowBody& body, const TileBlock& map, const TileWindow& window,
+                  SolidFields& fields) const;
   void add_anchor(int tile, const FlowBody& body, const Anchor& anchor, double time, const TileBlock& map,
                   const TileWindow& window, SolidFields& fields) const;
 

@@ -56,7 +56,7 @@ IncompressibleSolver::IncompressibleSolver(const IncompressibleSetup& setup, con
   for (int d = 0; d < 2; ++d) given_[d] = comm.max(given_[d]);
   if (!solids) return;
   const auto field = [&](int components) { return Field<2>(flow_.shape(), components, flow_.tiles()); };
-  fields_ = std::make_unique<SolidFields>(SolidFields{field(1), field(2), field(2), field(2), field(2)});
+  fields_ = std::make_unique<SolidFields>(SolidFields{field(1), field(2), field(2), field(2), field(2), field(1)});
   stress_x_ = std::make_unique<Field<2>>(field(2));
   stress_y_ = std::make_unique<Field<2>>(field(2));
   set_all(fields_->density, setup.density);
@@ -82,7 +82,7 @@ ForceTile IncompressibleSolver::force_tile(int tile, const Field<2>& velocity) c
 
 ProjectionTile IncompressibleSolver::projection_tile(int tile) const {
   return {&flow_.shape(), flow_.spacing(), fields_ ? fields_->density.tile(tile).component(0) : nullptr,
-          setup_.density};
+          fields_ ? fields_->divergence.tile(tile).component(0) : nullptr, setup_.density};
 }
 
 /// With solids: the whole stress of the given velocity, whose ghosts are filled.
@@ -140,6 +140,7 @@ void IncompressibleSolver::carry_solids(double dt) {
 void IncompressibleSolver::complete_fields() {
   flow_.fill_even(fields_->density);
   flow_.exchange(fields_->force);
+  flow_.exchange(fields_->divergence);
   for (Field<2>* field : {&fields_->viscosity, &fields_->stress_x, &fields_->stress_y}) flow_.exchange_points(*field);
   double viscosity = 0, density = std::numeric_limits<double>::infinity();
   const TileShape<2>& shape = flow_.shape();
@@ -149,13 +150,13 @@ void IncompressibleSolver::complete_fields() {
                           *const mu = fields_->viscosity.tile(t).component(0) + shape.at(0, j);
       for (int i = 0; i < shape.cells[0]; ++i) {
         density = std::min(density, rho[i]);
-        viscosity = std::max(viscosity, std::max(mu[i], mu[static_cast<std::size_t>(i) + shape.plane]));
+        viscosity = std::max(viscosity, std::max(mu[i], mu[static_cast<std::size_t>(i) + shape.plane]) / rho[i]);
       }
     }
   const Communicator& comm = grid().forest.communicator();
   density = comm.min(density);
   if (!(density > 0)) throw NumericalError("the density of the blend of fluid and solids is not positive everywhere");
-  largest_viscosity_ = comm.max(viscosity) / density;
+  largest_viscosity_ = comm.max(viscosity);
 }
 
 /// 4. v* = velocity + dt × accelerations at the middle of the step.
@@ -230,7 +231,8 @@ double IncompressibleSolver::rate() const {
   const Point<2>& h = flow_.spacing();
   double fastest = solids_ ? solids_->rate() : 0;
   // ∇·μ(∇v + ∇vᵀ), which blends need, damps what is not free of divergence twice as fast as μ∇²v.
-  double slow = (solids_ ? 4 : 2) * largest_viscosity_ * (1 / (h[0] * h[0]) + 1 / (h[1] * h[1])) / setup_.viscous_fraction;
+  double slow =
+      (solids_ ? 4 : 2) * largest_viscosity_ * (1 / (h[0] * h[0]) + 1 / (h[1] * h[1])) / setup_.viscous_fraction;
   for (int d = 0; d < 2; ++d) {
     fastest = std::max(fastest, std::max(largest_[d], given_[d]) / h[d]);
     slow = std::max(slow, std::sqrt(std::abs(setup_.gravity[d]) / (2 * setup_.cfl * h[d])));

@@ -93,9 +93,9 @@ class IncompressibleSolver {
   Solids* solids_;
   double time_ = 0;
   Point<2> largest_ = Point<2>::Zero();  // |u|, |v| anywhere
-  double energy_ = 0;                    // ∫ρ|v|² with the fluid's density: what errors of pressures are measured by
-  Point<2> given_ = Point<2>::Zero();    // the same of velocities given at sides
-  double largest_viscosity_ = 0;         // kinematic
+  double energy_ = 0;                  // ∫ρ|v|² with the fluid's density: what errors of pressures are measured by
+  Point<2> given_ = Point<2>::Zero();  // the same of velocities given at sides
+  double largest_viscosity_ = 0;       // kinematic
   Field<2> velocity_, slopes_, acceleration_, advection_, middle_, star_;
   Field<2> pressure_, nodal_right_, correction_, edge_right_;
   EdgeVelocities edges_;

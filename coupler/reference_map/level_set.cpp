@@ -35,7 +35,8 @@ template <class T>
 MORTISE_INLINE Corners<T> corners(const double* values, std::ptrdiff_t row, T i, T j) {
   Corners<T> c;
   for (int k = 0; k < lanes<T>; ++k) {
-    const double* node = values + static_cast<std::ptrdiff_t>(lane(j, k)) * row + static_cast<std::ptrdiff_t>(lane(i, k));
+    const double* node =
+        values + static_cast<std::ptrdiff_t>(lane(j, k)) * row + static_cast<std::ptrdiff_t>(lane(i, k));
     set_lane(c.sw, k, node[0]), set_lane(c.se, k, node[1]);
     set_lane(c.nw, k, node[row]), set_lane(c.ne, k, node[row + 1]);
   }

@@ -61,7 +61,8 @@ int extend_layer(const TileShape<2>& shape, const TileWindow& window, int number
       double *const x = map.component(0) + at, *const y = map.component(1) + at, *const layer = map.component(3) + at;
       const Pack here = load(layer);
       Pack least = min(min(load(layer - 1), load(layer + 1)), min(load(layer - s), load(layer + s)));
-      least = min(least, min(min(load(layer - s - 1), load(layer - s + 1)), min(load(layer + s - 1), load(layer + s + 1))));
+      least =
+          min(least, min(min(load(layer - s - 1), load(layer - s + 1)), min(load(layer + s - 1), load(layer + s + 1))));
       const PackMask wanted = (here == unknown_layer) & (least < n) & lanes_below(window.high[0] - i);
       if (!any(wanted)) continue;
       Moments m;

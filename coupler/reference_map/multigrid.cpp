@@ -14,7 +14,7 @@ namespace {
 using Array = std::vector<float>;
 using Ends = std::array<PressureEnd, 4>;
 
-constexpr int fewest_cells = 4;                 // along a side: no coarser grids
+constexpr int fewest_cells = 4;                  // along a side: no coarser grids
 constexpr std::ptrdiff_t margin = 16, gap = 48;  // floats before the first point, and between rows
 
 /// Bounds of the eigenvalues of D⁻¹A that a smoother is to damp.
@@ -64,9 +64,9 @@ class Level {
   std::size_t size_;
   float along_x_ = 0, along_y_ = 0, across_ = 0, own_ = 0;  // nodes: entries of a cell's matrix
   double aspect_;
-  float largest_;             // bound of the eigenvalues of D⁻¹A
-  Array west_, south_;        // cells: weights of edges; nodes: 1/ρ of cells (west_)
-  Array inverse_diagonal_;    // 0 at Dirichlet nodes
+  float largest_;           // bound of the eigenvalues of D⁻¹A
+  Array west_, south_;      // cells: weights of edges; nodes: 1/ρ of cells (west_)
+  Array inverse_diagonal_;  // 0 at Dirichlet nodes
   Array old_, r_;
 };
 
@@ -110,7 +110,8 @@ void Level::set_finest(const VariableOperator& matrix) {
   if (place_ == PressurePlace::cells) {
     for (int j = 0; j < points_[1]; ++j)
       for (const std::size_t side : {0U, 1U})
-        if (ends_[side] == PressureEnd::dirichlet) west_[static_cast<std::size_t>(at(side ? points_[0] : 0, j))] *= 0.5F;
+        if (ends_[side] == PressureEnd::dirichlet)
+          west_[static_cast<std::size_t>(at(side ? points_[0] : 0, j))] *= 0.5F;
     for (int i = 0; i < points_[0]; ++i)
       for (const std::size_t side : {2U, 3U})
         if (ends_[side] == PressureEnd::dirichlet)
@@ -237,8 +238,7 @@ void Level::residual() {
   const int n = points_[0];
   for (int j = 0; j < points_[1]; ++j) {
     const std::ptrdiff_t o = at(0, j), s = stride_;
-    const float *__restrict const w = west_.data() + o, *__restrict const v = south_.data() + (south_.empty() ? 0 : o),
-                                 *__restrict const q = x.data() + o, *__restrict const right = b.data() + o;
+    const float* __restrict const w = west_.data() + o, * __restrict const v = south_.data() + (south_.empty() ? 0 : o), * __restrict const q = x.data() + o, * __restrict const right = b.data() + o;
     float* __restrict const to = r_.data() + o;
     for (std::ptrdiff_t i = 0; i < n; ++i)
       to[i] = right[i] - product<place>(q, w, v, s, own, along_x, along_y, across, i);
@@ -259,8 +259,8 @@ void Level::smooth(bool from_zero, int steps, Spectrum spectrum) {
     if (k == 0 && from_zero) {
       for (int j = 0; j < points_[1]; ++j) {
         const std::ptrdiff_t o = at(0, j);
-        const float *__restrict const right = b.data() + o, *__restrict const d = inverse_diagonal_.data() + o;
-        float *__restrict const q = x.data() + o, *__restrict const before = old_.data() + o;
+        const float* __restrict const right = b.data() + o, * __restrict const d = inverse_diagonal_.data() + o;
+        float* __restrict const q = x.data() + o, * __restrict const before = old_.data() + o;
         for (int i = 0; i < points_[0]; ++i) q[i] = alpha * d[i] * right[i], before[i] = 0;
       }
       continue;
@@ -347,7 +347,8 @@ class Multigrid : public Preconditioner {
       cells = {cells[0] / 2, cells[1] / 2};
       levels_.emplace_back(problem.place, problem.ends, cells, aspect);
     }
-    coarsest_steps_ = static_cast<int>(std::ceil(1.5 * std::sqrt(levels_.back().all().high / levels_.back().all().low)));
+    coarsest_steps_ =
+        static_cast<int>(std::ceil(1.5 * std::sqrt(levels_.back().all().high / levels_.back().all().low)));
   }
 
   void set(const VariableOperator& matrix) override {

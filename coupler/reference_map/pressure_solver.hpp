@@ -22,8 +22,8 @@ struct PressureProblem {
   PressurePlace place = PressurePlace::cells;
   std::array<PressureEnd, 4> ends{};  // west, east, south, north
   /// Iterations end when the error e of p is small in the norm of kinetic energy, √(eᵀA e) ≤ tolerance √max(pᵀA p,
-  /// energy): the error of the velocity correction ∇p/ρ against the correction, or against the flow. Where a solver does
-  /// not know √(eᵀA e) it takes ‖b − A p‖/‖b‖.
+  /// energy): the error of the velocity correction ∇p/ρ against the correction, or against the flow. Where a solver
+  /// does not know √(eᵀA e) it takes ‖b − A p‖/‖b‖.
   double tolerance = 1e-10;
 
   bool singular() const;  // p is known up to a constant only

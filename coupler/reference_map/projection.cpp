@@ -54,12 +54,14 @@ void fill_edge_divergence(const ProjectionTile& tile, const double* x_edges, con
   const TileShape<2>& shape = *tile.shape;
   const double* const v = y_edges + shape.plane;
   const double scale = tile.density ? 1 : tile.fluid_density;
-  const double cx = scale * tile.spacing[1], cy = scale * tile.spacing[0];
+  const double cx = scale * tile.spacing[1], cy = scale * tile.spacing[0], area = scale * tile.spacing.prod();
   for (int j = 0; j < shape.cells[1]; ++j) {
     const std::size_t first = shape.at(0, j);
-    for (std::size_t o = first; o < first + static_cast<std::size_t>(shape.cells[0]); o += simd_width)
-      store(right + o,
-            cx * (load(x_edges + o) - load(x_edges + o + 1)) + cy * (load(v + o) - load(v + o + shape.stride)));
+    for (std::size_t o = first; o < first + static_cast<std::size_t>(shape.cells[0]); o += simd_width) {
+      Pack sum = cx * (load(x_edges + o) - load(x_edges + o + 1)) + cy * (load(v + o) - load(v + o + shape.stride));
+      if (tile.divergence) sum = sum + area * load(tile.divergence + o);
+      store(right + o, sum);
+    }
   }
 }
 
@@ -74,14 +76,20 @@ void fill_nodal_divergence(const ProjectionTile& tile, double dt, const double* 
   const TileShape<2>& shape = *tile.shape;
   const std::ptrdiff_t s = shape.stride;
   const double scale = (tile.density ? 1 : tile.fluid_density) / dt;
-  const double cx = 0.5 * scale * tile.spacing[1], cy = 0.5 * scale * tile.spacing[0];
+  const double cx = 0.5 * scale * tile.spacing[1], cy = 0.5 * scale * tile.spacing[0],
+               quarter = 0.25 * scale * tile.spacing.prod();
   for (int j = 0; j <= shape.cells[1]; ++j) {
     const auto first = static_cast<std::ptrdiff_t>(shape.at(0, j));
     for (std::ptrdiff_t o = first; o <= first + shape.cells[0]; o += simd_width) {
       const double *const u = star + o, *const v = u + shape.plane;
       const Pack du = (load(u - s - 1) + load(u - 1)) - (load(u - s) + load(u));
       const Pack dv = (load(v - s - 1) + load(v - s)) - (load(v - 1) + load(v));
-      store(right + o, cx * du + cy * dv);
+      Pack sum = cx * du + cy * dv;
+      if (tile.divergence) {
+        const double* const d = tile.divergence + o;
+        sum = sum + quarter * ((load(d - s - 1) + load(d - s)) + (load(d - 1) + load(d)));
+      }
+      store(right + o, sum);
     }
   }
 }

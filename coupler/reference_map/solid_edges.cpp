@@ -5,11 +5,13 @@
 namespace mortise {
 namespace {
 
-// Where the share of a solid fades out, fluid beyond its surface would be dragged along by the solid's traction, and the
-// solid be braked by it. Therefore traction fades this part of the blur width further inside, and the fluid's viscosity
-// reaches so much deeper. Measured on rm_convergence: the error of the velocity falls from 8.8e-3 to 5.0e-3 on 90² cells,
-// from 3.5e-3 to 2.0e-3 on 180².
-constexpr double traction_inset = 0.3, viscosity_inset = 0.5;
+// Where the share of a solid fades out, fluid beyond its surface would be dragged along by the solid's traction, and
+// the solid be braked by it. Therefore traction fades this part of the blur width further inside, and the fluid's
+// viscosity reaches so much deeper. Measured on rm_convergence: the error of the velocity falls from 8.8e-3 to 5.0e-3
+// on 90² cells, from 3.5e-3 to 2.0e-3 on 180².
+constexpr double shear_inset = 0.3, viscosity_inset = 0.5;
+
+constexpr double least_determinant = 0.25;  // |det ∂ξ/∂x − 1| is small where the map is whole
 
 struct Stress {
   Pack xx{}, xy{}, yy{};
@@ -24,19 +26,21 @@ MORTISE_INLINE Stress neo_hookean(const MapGradient<Pack>& G, double modulus, Pa
   const Pack shrink = 1.0 / stretch;
   const Pack xx = stretch * (c * G.xx + s * G.yx), xy = stretch * (c * G.xy + s * G.yy);
   const Pack yx = shrink * (c * G.yx - s * G.xx), yy = shrink * (c * G.yy - s * G.xy);
-  const Pack det = xx * yy - xy * yx, inverse = 1.0 / (det * det);
+  // The material keeps its volume: where the map does not quite, only the change of shape counts, b/J.
+  const Pack det = xx * yy - xy * yx, inverse = 1.0 / det;
   const Pack bxx = inverse * (xy * xy + yy * yy), byy = inverse * (xx * xx + yx * yx),
              bxy = -(inverse * (xx * xy + yx * yy)), mean = (1.0 / 3) * (bxx + byy + 1.0);
   return {modulus * (bxx - mean), modulus * bxy, modulus * (byy - mean)};
 }
 
-/// τ with its traction on surfaces across n taken `traction` times, the tension along them `tension` times: so the
-/// stiffness of bars and flags against bending does not depend on the inset.
-MORTISE_INLINE Stress weighted(const Stress& tau, const Vector& n, Pack traction, Pack tension) {
+/// τ, its shear across surfaces of normal n taken `shear` times, all else `share` times: tension along a surface and,
+/// by way of the pressure, what presses on it make the stiffness of bars and flags against bending.
+MORTISE_INLINE Stress weighted(const Stress& tau, const Vector& n, Pack shear, Pack share) {
   const Pack inverse = 1.0 / max(n.x * n.x + n.y * n.y, broadcast(1e-30));
-  const Pack nxx = inverse * (n.x * n.x), nxy = inverse * (n.x * n.y), nyy = inverse * (n.y * n.y);
-  const Pack along = (tension - traction) * (nyy * tau.xx - 2.0 * nxy * tau.xy + nxx * tau.yy);
-  return {traction * tau.xx + along * nyy, traction * tau.xy - along * nxy, traction * tau.yy + along * nxx};
+  const Pack xx = inverse * (n.x * n.x), xy = inverse * (n.x * n.y), yy = inverse * (n.y * n.y);
+  // n·τ·t with t = (−n_y, n_x), and n ⊗ t + t ⊗ n = ((−2 xy, xx − yy), (xx − yy, 2 xy)).
+  const Pack across = (shear - share) * ((xx - yy) * tau.xy + xy * (tau.yy - tau.xx));
+  return {share * tau.xx - 2.0 * across * xy, share * tau.xy + across * (xx - yy), share * tau.yy + 2.0 * across * xy};
 }
 
 /// A pressure `amount` along n and as much tension across.
@@ -55,8 +59,7 @@ class Edges {
         across_(direction == 0 ? shape_.stride : 1),
         along_step_(1 / tile.grid->spacing[direction]),
         across_step_(0.25 / tile.grid->spacing[1 - direction]),
-        window_(window & TileWindow{{0, 0},
-                                    {shape_.cells[0] + (direction == 0), shape_.cells[1] + (direction == 1)}}),
+        window_(window & TileWindow{{0, 0}, {shape_.cells[0] + (direction == 0), shape_.cells[1] + (direction == 1)}}),
         stress_((direction == 0 ? tile.fields->stress_x : tile.fields->stress_y).tile(tile.tile)),
         viscosity_(tile.fields->viscosity.tile(tile.tile).component(direction)) {}
 
@@ -128,7 +131,9 @@ void add_elastic(const EdgeSolids& tile, const EdgeBody& body) {
     edges.visit(body, tile.width, [&](int, int, std::size_t k, PackMask own, Pack level) {
       const Vector gx = edges.slope(x + k), gy = edges.slope(y + k);
       MapGradient<Pack> G{gx.x, gx.y, gy.x, gy.y};
-      own = own & (G.determinant() > 0.05);
+      // Where bands of two parts of a surface meet the map is torn.
+      const Pack det = G.determinant();
+      own = own & (det > least_determinant) & (det < 1 / least_determinant);
       // Lanes that do not count compute with an undeformed solid.
       G = {select(own, G.xx, broadcast(1.0)), select(own, G.xy, Pack{}), select(own, G.yx, Pack{}),
            select(own, G.yy, broadcast(1.0))};
@@ -143,8 +148,8 @@ void add_elastic(const EdgeSolids& tile, const EdgeBody& body) {
         else
           tau.xy = tau.xy + u, tau.yy = tau.yy + v;
       }
-      const Pack traction = solid_share(level + traction_inset * tile.width, inverse_width);
-      tau = weighted(tau, edges.slope(body.map->component(2) + k), traction, solid_share(level, inverse_width));
+      tau = weighted(tau, edges.slope(body.map->component(2) + k),
+                     solid_share(level + shear_inset * tile.width, inverse_width), solid_share(level, inverse_width));
       edges.add(k, own, tau);
       edges.take_viscosity(k, own,
                            tile.fluid_viscosity * solid_share(level + viscosity_inset * tile.width, inverse_width));
@@ -164,7 +169,8 @@ void add_contact(const EdgeSolids& tile, const EdgeBody& body, const EdgeBody& o
       const Vector a = edges.slope(theirs + k), b = edges.slope(mine + k);
       const Vector n{select(own, Pack(a.x - b.x), Pack{}), select(own, Pack(a.y - b.y), Pack{})};
       const Pack overlap = min(1.0 - level * inverse_width, 1.0 - their_level * inverse_width);
-      edges.add(k, own, push_along(n, select(own, Pack(solid_share(level, inverse_width) * (modulus * overlap)), Pack{})));
+      edges.add(k, own,
+                push_along(n, select(own, Pack(solid_share(level, inverse_width) * (modulus * overlap)), Pack{})));
     });
   }
 }

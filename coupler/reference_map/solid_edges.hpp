@@ -16,11 +16,11 @@ struct EdgeBody {
 struct EdgeSolids {
   const ComponentGrid<2>* grid;
   int tile;
-  double width;                // of the blur zone, to each side
+  double width;  // of the blur zone, to each side
   double fluid_viscosity;
-  double damping;              // part of half the impedance, see FlowSolidsSetup
-  double time;                 // for actuation
-  const TileBlock* velocity;   // of the flow, ghosts filled; nullptr: at rest
+  double damping;             // part of half the impedance, see FlowSolidsSetup
+  double time;                // for actuation
+  const TileBlock* velocity;  // of the flow, ghosts filled; nullptr: at rest
   SolidFields* fields;
 };
 

@@ -21,9 +21,10 @@ struct EdgeVelocities {
 struct SolidFields {
   Field<2> density;  // 1 component, cells: density of the blend, > 0
   Field<2> viscosity;  // 2 components: μ of the blend on west and on south edges, ≥ 0; the solver adds μ(∇v + ∇vᵀ)
-  Field<2> stress_x;  // 2 components, west edges: (σ_xx, σ_xy) without the viscous part above and without pressure
-  Field<2> stress_y;  // 2 components, south edges: (σ_xy, σ_yy)
-  Field<2> force;     // 2 components, cells: force per area beyond gravity (which is ρ times the setup's)
+  Field<2> stress_x;    // 2 components, west edges: (σ_xx, σ_xy) without the viscous part above and without pressure
+  Field<2> stress_y;    // 2 components, south edges: (σ_xy, σ_yy)
+  Field<2> force;       // 2 components, cells: force per area beyond gravity (which is ρ times the setup's)
+  Field<2> divergence;  // 1 component, cells: ∇·v to be had, where a solid's volume has drifted and comes back; else 0
 };
 
 /// Solids in an incompressible flow. All members are called on every rank.

@@ -32,8 +32,7 @@ class TransformSolver : public PressureSolver {
 
   int solve(const Field<2>& right, const Field<2>* density, Field<2>& pressure, double energy) override {
     if (density) {
-      if (!variable_)
-        variable_.emplace(problem_, std::make_unique<TransformPreconditioner>(transform_));
+      if (!variable_) variable_.emplace(problem_, std::make_unique<TransformPreconditioner>(transform_));
       return variable_->solve(right, density, pressure, energy);
     }
     whole_.gather(right, values_.data(), whole_.points()[0]);

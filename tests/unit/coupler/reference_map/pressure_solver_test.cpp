@@ -140,14 +140,12 @@ TEST(PressureSolver, MultigridContractsAsItSays) {
               e[static_cast<std::size_t>(matrix.first() + j * matrix.stride() + i)] = value(known.index(i, j));
           matrix.apply(e.data(), Ae.data());
           for (int j = 0; j < known.points[1]; ++j)
-            for (int i = 0; i < known.points[0]; ++i)
-              sum += value(known.index(i, j)) * Ae[known.index(i, j)];
+            for (int i = 0; i < known.points[0]; ++i) sum += value(known.index(i, j)) * Ae[known.index(i, j)];
           return sum;
         };
         multigrid->apply(known.b.data(), z.data());
         const double before = energy([&](std::size_t n) { return known.p[n]; }),
                      after = energy([&](std::size_t n) { return known.p[n] - z[n]; });
-        std::printf("contraction %d %zu %g: %g\n", int(place), k, ratio, std::sqrt(after / before));
         EXPECT_LT(after, std::pow(multigrid->contraction(), 2) * before)
             << (place == PressurePlace::cells ? " cells" : " nodes") << " ends " << k << " ratio " << ratio;
       }
