@@ -202,29 +202,32 @@ void BodyMap::continue_band() {
   }
 }
 
-/// Where liquid shears past a surface it may tear at the map of the cells there, layer after layer, since no stress
-/// brings back their volume. Cells within two of the surface that have lost or gained half of it are continued from
-/// those further inside, as the band is.
+/// Sharp bends and liquid that shears past a surface may tear at the map of a few cells, layer after layer, since no
+/// stress brings back their volume. Cells that have lost or gained half of it are continued from others, as the band
+/// is. When they are more than a quarter of the body there is nothing to continue from.
 void BodyMap::repair() {
-  const double depth = -2 * grid_.spacing.maxCoeff();
   const TileWindow cells = tile_cells(grid_.shape);
   const std::vector<int> tiles = held(now_);
-  std::int64_t count = 0;
+  std::int64_t count = 0, inside = 0;
   for (const int t : tiles) {
     TileBlock& block = now_.tile(t);
     std::vector<std::size_t> wrong;
     for_packs(grid_.shape, now_windows_[index(t)] & cells, [&](std::size_t k, PackMask own) {
       const Pack det = map_determinant(block, k, grid_.shape.stride, grid_.spacing);
-      own = own & (load(block.component(3) + k) == 0) & (load(block.component(2) + k) > depth) &
-            ~((det >= 0.5) & (det <= 2));
+      own = own & (load(block.component(3) + k) == 0);
+      for (int l = 0; l < simd_width; ++l) inside += own[l] != 0;
+      own = own & ~((det >= 0.5) & (det <= 2));
       for (int l = 0; l < simd_width && any(own); ++l)
         if (own[l]) wrong.push_back(k + static_cast<std::size_t>(l));
     });
     for (const std::size_t k : wrong) block.component(3)[k] = replaced;
     count += static_cast<std::int64_t>(wrong.size());
   }
-  if (!grid_.forest.communicator().any(count > 0)) return;
+  const Communicator& comm = grid_.forest.communicator();
+  const std::int64_t all = comm.sum(count);
+  if (all == 0) return;
   repaired_ += count;
+  torn_ = 4 * all > comm.sum(inside);
   for (const int t : tiles)
     for_packs(grid_.shape, now_windows_[index(t)], [&](std::size_t k, PackMask own) {
       const Pack layer = load(now_.tile(t).component(3) + k);
@@ -375,6 +378,7 @@ bool BodyMap::drift_to_end(double time, const Velocity& velocity) {
 }
 
 bool BodyMap::admissible(const Field<2>& field, const Windows& windows) const {
+  if (setup_.keeps_volume) return !torn_;
   const std::ptrdiff_t s = grid_.shape.stride;
   PackMask bad{};
   for (const int t : held(field)) {
@@ -385,10 +389,7 @@ bool BodyMap::admissible(const Field<2>& field, const Windows& windows) const {
         const std::size_t k = grid_.shape.at(i, j);
         const Pack det = map_determinant(block, k, s, grid_.spacing);
         const double* const layer = block.component(3) + k;
-        PackMask inside = (load(layer) == 0) & lanes_below(window.high[0] - i);
-        if (setup_.keeps_volume)  // cells beside the surface are repaired
-          inside = inside & (load(layer - 1) == 0) & (load(layer + 1) == 0) & (load(layer - s) == 0) &
-                   (load(layer + s) == 0);
+        const PackMask inside = (load(layer) == 0) & lanes_below(window.high[0] - i);
         bad |= inside & ~(det > 0);
       }
   }

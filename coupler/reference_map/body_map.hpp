@@ -37,8 +37,7 @@ class BodyMap {
     std::shared_ptr<const LevelSet> level_set;
     std::function<Point<2>(const Point<2>& x)> initial;  // ξ at t = 0 where the body is, and a band around it
     int layers = 6;                                      // of the band
-    // A body that keeps its volume: cells beside its surface whose map says otherwise, det ∂ξ/∂x outside [½, 2], are
-    // taken to be wrong.
+    // A body that keeps its volume: cells whose map says otherwise, det ∂ξ/∂x outside [½, 2], are taken to be wrong.
     bool keeps_volume = false;
   };
 
@@ -48,7 +47,8 @@ class BodyMap {
   /// False as in drift_to_half(). Collective.
   bool initialize();
   /// half() at t + `time` from field() at t and a velocity that is constant in time; second order in space. False when
-  /// det ∂ξ/∂x ≤ 0 somewhere in the body. Collective.
+  /// det ∂ξ/∂x ≤ 0 somewhere in the body (one that keeps its volume: where more than a quarter of it is torn).
+  /// Collective.
   bool drift_to_half(double time, const Velocity& velocity);
   /// field() at the end of a step from half(). Collective.
   bool drift_to_end(double time, const Velocity& velocity);
@@ -99,6 +99,7 @@ class BodyMap {
   Windows now_windows_, half_windows_;
   GhostExchange<2> exchange_;
   std::int64_t orphans_ = 0, repaired_ = 0;
+  bool torn_ = false;
 };
 
 }  // namespace mortise

@@ -273,6 +273,57 @@ TEST(IncompressibleFlow, SolidsWithTheFluidsDensityChangeNothing) {
   EXPECT_GT(error_against(with, pulses).largest, 1e-2);
 }
 
+/// Solids of the fluid's density that swell in one half of a torus and shrink in the other.
+class Swelling : public StillDensity {
+ public:
+  Swelling() : StillDensity([](const Point<2>&) { return 1.0; }, 0) {}
+  static double divergence(const Point<2>& x) { return 0.3 * std::sin(std::numbers::pi * x[0]); }
+  void attach(const ComponentGrid<2>& grid) {
+    StillDensity::attach(grid);
+    grid_ = &grid;
+  }
+  void begin(SolidFields& fields) override {
+    StillDensity::begin(fields);
+    for (int t = 0; t < fields.divergence.tiles(); ++t)
+      for_each_cell<2>(grid_->shape, 0, [&](const Index<2>& c) {
+        const Index<2> first = grid_->first_cell(t);
+        fields.divergence.tile(t).component(0)[grid_->shape.at(c)] =
+            divergence(grid_->center({first[0] + c[0], first[1] + c[1]}));
+      });
+  }
+
+ private:
+  const ComponentGrid<2>* grid_ = nullptr;
+};
+
+TEST(IncompressibleFlow, VelocitiesHaveTheDivergenceThatSolidsAskFor) {
+  IncompressibleSetup setup;
+  setup.domain = {Point<2>(-1, -1), Point<2>(1, 1)};
+  setup.cells = {32, 32}, setup.tile = {16, 16};
+  setup.tolerance = 1e-11;
+  Swelling solids;
+  IncompressibleSolver flow(setup, Communicator(), &solids);
+  solids.attach(flow.grid());
+  flow.initialize();
+  for (int k = 0; k < 3; ++k) flow.advance(1e-3);
+  const TileShape<2>& shape = flow.grid().shape;
+  const double h = flow.grid().spacing[0];
+  const auto s = static_cast<std::size_t>(shape.stride);
+  for (int t = 0; t < flow.grid().forest.local_count(); ++t)
+    for_each_cell<2>(shape, 0, [&](const Index<2>& c) {
+      const Index<2> first = flow.grid().first_cell(t);
+      const std::size_t k = shape.at(c);
+      const double *const u = flow.edges().x.tile(t).component(0) + k, *const v =
+                                                                           flow.edges().y.tile(t).component(1) + k;
+      const Point<2> x = flow.grid().center({first[0] + c[0], first[1] + c[1]});
+      EXPECT_NEAR((u[1] - u[0]) / h + (v[s] - v[0]) / h, Swelling::divergence(x), 1e-8);
+    });
+  // ∇·v = .3 sin πx has v = −.3/π cos πx.
+  const Norms difference = error_against(
+      flow, [](const Point<2>& x) { return Point<2>(-0.3 / std::numbers::pi * std::cos(std::numbers::pi * x[0]), 0); });
+  EXPECT_LT(difference.largest, 2e-3);
+}
+
 TEST(IncompressibleFlow, RateOfSolidsLimitsTheStep) {
   IncompressibleSetup setup;
   setup.cells = {8, 8}, setup.tile = {8, 8};
