@@ -210,7 +210,7 @@ void check_fluid(const Node& root, const CaseDescription& c) {
     if (c.incompressible() && kind == "exact") reject(root, path, path + " = \"exact\" is not there with fluid.kind = \"incompressible\"");
   }
   for (std::size_t k = 0; k < c.solids.size(); ++k)
-    for (const auto& [key, given] : {std::pair{"actuation", !c.solids[k].actuation.empty()}, {"anchors", !c.solids[k].anchors.empty()}})
+    for (const auto& [key, given] : {std::pair{"actuation", !c.solids[k].actuation.empty()}, {"viscosity", c.solids[k].viscosity != 0}, {"anchors", !c.solids[k].anchors.empty()}})
       if (given && !c.incompressible())
         reject(root, "solids." + std::to_string(k), "solids." + std::to_string(k) + "." + key + " needs fluid.kind = \"incompressible\"");
   if (!c.incompressible()) return;

@@ -70,6 +70,7 @@ struct SolidDescription : ShapeDescription {
   double angular_velocity = 0;       // radians per time, at t = 0
   int layers = 0;                    // cell layers of the gas grid around it; 0: default
   MaterialDescription material;
+  double viscosity = 0;   // incompressible fluid: of the material
   std::string actuation;  // incompressible fluid: principal stretch along the body's x axis it tends to, of x, y (about its centre), t
   std::vector<AnchorDescription> anchors;
   SolidInitialDescription initial;

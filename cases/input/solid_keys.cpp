@@ -92,8 +92,11 @@ void visit_solid(Section& s, SolidDescription& b) {
   s.integer("layers", b.layers, {.low = 0, .high = 1000},
             "cell layers of the gas's grid at the interface; 0: chosen by the program");
   s.table("material", [&](Section& t) { visit_material(t, b.material); });
+  s.number("viscosity", b.viscosity, non_negative,
+           "incompressible fluid: viscosity of the material, besides its elasticity");
   s.formula("actuation", b.actuation, {"x", "y", "t"},
-            "incompressible fluid: stretch along the solid's own x axis that it tends to, 1/stretch across; of the undeformed place about its centre");
+            "incompressible fluid: stretch along the solid's own x axis that it tends to, 1/stretch across; of the "
+            "undeformed place about its centre");
   s.tables("anchors", [&](Section& t, std::size_t) {
     AnchorDescription& a = b.anchors.emplace_back();
     t.vector("center", a.center, any_number, "incompressible fluid: where material is held, undeformed");

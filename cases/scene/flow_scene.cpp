@@ -75,6 +75,7 @@ FlowBody body_of(const CaseDescription& description, const SolidDescription& fro
   body.name = from.name;
   body.density = from.material.density;
   body.shear_modulus = from.material.mu;
+  body.viscosity = from.viscosity;
   const Pose<2> pose = pose_of(from);
   body.level_set = level_set_of(description, from, spacing);
   const SolidFunction initial = solid_function(from, material_of(from), nullptr);

@@ -17,6 +17,7 @@ void check(const FlowSolidsSetup& setup) {
     };
     if (!(body.density > 0)) refuse("density", body.density);
     if (!(body.shear_modulus > 0)) refuse("shear modulus", body.shear_modulus);
+    if (!(body.viscosity >= 0)) throw InputError("solid " + body.name + ": its viscosity must not be negative");
   }
 }
 

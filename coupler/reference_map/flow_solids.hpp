@@ -1,5 +1,5 @@
 // Neo-Hookean solids in an incompressible flow, by their reference maps (body_map.hpp): one velocity for both,
-//   σ = s (τ + τ_contact) + (1 − Σ s) μ_f (∇v + ∇vᵀ),   τ = G (F Fᵀ − ⅓ (tr F Fᵀ + 1) I),   ρ = (1 − Σ s) ρ_f + Σ s
+//   σ = s (τ + τ_contact) + (s η + (1 − Σ s) μ_f) (∇v + ∇vᵀ),   τ = G (F Fᵀ − ⅓ (tr F Fᵀ + 1) I),   ρ = (1 − Σ s) ρ_f + Σ s
 //   ρ_s,
 // plane strain; for the s of tractions and of viscosity see solid_edges.cpp (Rycroft, Wu, Yu & Kamrin, Journal of Fluid
 // Mechanics 898, A9, 2020). Maps and velocities are staggered in time, as in reference_map_scene.hpp, so that elastic
@@ -31,6 +31,7 @@ struct Anchor {
 struct FlowBody {
   std::string name;
   double density = 1, shear_modulus = 1;                 // ρ_s > 0, G > 0
+  double viscosity = 0;                                  // η ≥ 0 of the material: stress η (∇v + ∇vᵀ)
   std::shared_ptr<const LevelSet> level_set;             // of its outline in the reference frame
   std::function<Point<2>(const Point<2>& x)> reference;  // ξ at t = 0; empty: undeformed
   // Stretch a the material tends to along an axis of the reference frame, 1/a across: F ← F F_a⁻¹. Empty: passive.

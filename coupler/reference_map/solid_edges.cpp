@@ -95,8 +95,8 @@ class Edges {
     store(normal, load(normal) + select(own, a, Pack{}));
     store(other, load(other) + select(own, b, Pack{}));
   }
-  MORTISE_INLINE void take_viscosity(std::size_t k, PackMask own, Pack amount) const {
-    store(viscosity_ + k, max(load(viscosity_ + k) - select(own, amount, Pack{}), Pack{}));
+  MORTISE_INLINE void add_viscosity(std::size_t k, PackMask own, Pack amount) const {
+    store(viscosity_ + k, max(load(viscosity_ + k) + select(own, amount, Pack{}), Pack{}));
   }
   int direction() const { return direction_; }
 
@@ -151,8 +151,9 @@ void add_elastic(const EdgeSolids& tile, const EdgeBody& body) {
       tau = weighted(tau, edges.slope(body.map->component(2) + k),
                      solid_share(level + shear_inset * tile.width, inverse_width), solid_share(level, inverse_width));
       edges.add(k, own, tau);
-      edges.take_viscosity(k, own,
-                           tile.fluid_viscosity * solid_share(level + viscosity_inset * tile.width, inverse_width));
+      edges.add_viscosity(k, own,
+                          body.body->viscosity * solid_share(level, inverse_width) -
+                              tile.fluid_viscosity * solid_share(level + viscosity_inset * tile.width, inverse_width));
     });
   }
 }

@@ -24,7 +24,7 @@ struct EdgeSolids {
   SolidFields* fields;
 };
 
-/// Adds s (τ + damping) and takes s μ_f, on all edges.
+/// Adds s (τ + damping) to stresses and s (η − μ_f) to viscosities, on all edges.
 void add_elastic(const EdgeSolids& tile, const EdgeBody& body);
 
 /// Where the blur zones of two bodies overlap a pressure along n = ∇φ_other − ∇φ pushes `body` away, deviatoric and

@@ -13,9 +13,12 @@ namespace mortise::testing {
 /// One rank.
 class FlowCase {
  public:
-  explicit FlowCase(const std::string& name, const std::vector<std::string>& overrides = {})
+  /// change: of the scene, before anything is built from it.
+  explicit FlowCase(
+      const std::string& name, const std::vector<std::string>& overrides = {},
+      const std::function<void(FlowScene&)>& change = [](FlowScene&) {})
       : description(read_case(name, overrides, MORTISE_SOURCE_DIR "/cases")),
-        scene(build_flow_scene(description)),
+        scene(changed(build_flow_scene(description), change)),
         grid(make_flow_grid(scene.flow, Communicator())),
         solids(scene.solids, grid),
         flow(scene.flow, Communicator(), &solids) {
@@ -41,6 +44,11 @@ class FlowCase {
     return sum;
   }
   SolidTotals solid(std::size_t b = 0) const { return totals(mapped_solids(solids, flow)[b]); }
+
+  static FlowScene changed(FlowScene scene, const std::function<void(FlowScene&)>& change) {
+    change(scene);
+    return scene;
+  }
 
   CaseDescription description;
   FlowScene scene;

@@ -13,6 +13,36 @@ TEST(FlowSolids, SpinningDiskKeepsAngularMomentum) {
   EXPECT_EQ(disk.solids.orphans(), 0);
 }
 
+/// Liquid without viscosity: what keeps cell-scale noise down must not slow the disk.
+TEST(FlowSolids, DampingDoesNotBrakeRotation) {
+  const auto left = [](double damping) {
+    FlowCase disk("spinning_disk", {"fluid.viscosity=0"},
+                  [damping](FlowScene& scene) { scene.solids.damping = damping; });
+    disk.run(0.3);
+    return disk.solid().angular_momentum;
+  };
+  const double without = left(0);
+  EXPECT_GT(without, 0.15);
+  EXPECT_NEAR(left(0.05), without, 5e-3 * without);
+}
+
+TEST(FlowSolids, MaterialViscosityDampsVibrations) {
+  const auto turned = [](const std::string& viscosity) {  // a spin of the hub, which the prongs follow
+    FlowCase rotor("rotor", {"grid.factor=3.2", "time.end=0.5", "solids.0.viscosity=" + viscosity,
+                             "solids.0.anchors=[{radius = 0.2, angle = \"t < 0.05 ? 0 : 0.3\"}]"});
+    double largest = 0;
+    while (rotor.flow.time() < 0.5) {
+      rotor.flow.advance(0.5);
+      const Point<2> x = material_point(mapped_solids(rotor.solids, rotor.flow)[0], {0.72, 0})->x;
+      largest = std::max(largest, std::atan2(x.y(), x.x()));
+    }
+    return largest;
+  };
+  const double elastic = turned("0"), viscous = turned("0.5");
+  EXPECT_GT(elastic, 0.32);  // overshoots
+  EXPECT_LT(viscous - 0.3, 0.93 * (elastic - 0.3));
+}
+
 TEST(FlowSolids, CoarseRotorFollowsItsHubAndOvershoots) {
   FlowCase rotor("rotor", {"grid.factor=3.2", "time.end=3.3"});
   const double largest = largest_angle(rotor, 3.3);
