@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "mortise/grids/core/error.hpp"
 #include "mortise/grids/core/simd.hpp"
@@ -176,15 +175,10 @@ void BodyMap::move_windows(Field<2>& field, Windows& windows) const {
   }
 }
 
-/// After the cells inside hold ξ: the band around them.
+/// After the cells inside hold ξ and all others nothing: the band around them, which follows from them alone.
 void BodyMap::settle() {
   move_windows(now_, now_windows_);
-  extend();
-}
-
-void BodyMap::extend() {
   continue_band();
-  if (setup_.keeps_volume) repair();
   for (const int t : held(now_)) measure(now_.tile(t), now_windows_[index(t)], 1);
 }
 
@@ -204,8 +198,8 @@ void BodyMap::continue_band() {
 
 /// Sharp bends and liquid that shears past a surface may tear at the map of a few cells, layer after layer, since no
 /// stress brings back their volume. Cells that have lost or gained half of it are continued from others, as the band
-/// is. When they are more than a quarter of the body there is nothing to continue from.
-void BodyMap::repair() {
+/// is. False when they are more than a quarter of the body: there is nothing to continue from.
+bool BodyMap::repair() {
   const TileWindow cells = tile_cells(grid_.shape);
   const std::vector<int> tiles = held(now_);
   std::int64_t count = 0, inside = 0;
@@ -225,9 +219,9 @@ void BodyMap::repair() {
   }
   const Communicator& comm = grid_.forest.communicator();
   const std::int64_t all = comm.sum(count);
-  if (all == 0) return;
+  if (all == 0) return true;
+  if (4 * all > comm.sum(inside)) return false;
   repaired_ += count;
-  torn_ = 4 * all > comm.sum(inside);
   for (const int t : tiles)
     for_packs(grid_.shape, now_windows_[index(t)], [&](std::size_t k, PackMask own) {
       const Pack layer = load(now_.tile(t).component(3) + k);
@@ -246,7 +240,12 @@ void BodyMap::repair() {
       store(phi, select(own, level, load(phi)));
       store(layer, select(own & (level < 0), Pack{}, load(layer)));
     });
-  fill_ghosts(now_, now_windows_);
+  for (const int t : tiles)
+    for_packs(grid_.shape, now_windows_[index(t)], [&](std::size_t k, PackMask own) {
+      empty(now_.tile(t), k, own & (load(now_.tile(t).component(3) + k) != 0));
+    });
+  settle();
+  return true;
 }
 
 /// From neighbours; beyond the sides of the domain linearly from the two cells there, where both hold the map.
@@ -364,7 +363,7 @@ bool BodyMap::drift_to_half(double time, const Velocity& velocity) {
     measure(half_.tile(t), half_windows_[index(t)] & tile_cells(grid_.shape), 0);
   }
   fill_ghosts(half_, half_windows_);
-  return admissible(half_, half_windows_);
+  return setup_.keeps_volume || admissible(half_, half_windows_);
 }
 
 bool BodyMap::drift_to_end(double time, const Velocity& velocity) {
@@ -374,11 +373,10 @@ bool BodyMap::drift_to_end(double time, const Velocity& velocity) {
     classify(now_.tile(t), now_windows_[index(t)] & tile_cells(grid_.shape));
   }
   settle();
-  return admissible(now_, now_windows_);
+  return setup_.keeps_volume ? repair() : admissible(now_, now_windows_);
 }
 
 bool BodyMap::admissible(const Field<2>& field, const Windows& windows) const {
-  if (setup_.keeps_volume) return !torn_;
   const std::ptrdiff_t s = grid_.shape.stride;
   PackMask bad{};
   for (const int t : held(field)) {

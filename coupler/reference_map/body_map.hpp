@@ -44,13 +44,13 @@ class BodyMap {
   /// `grid` is not owned. Throws InputError when tiles are narrower than reach() cells.
   BodyMap(Setup setup, const ComponentGrid<2>& grid);
 
-  /// False as in drift_to_half(). Collective.
+  /// False when det ∂ξ/∂x ≤ 0 somewhere in the body. Collective.
   bool initialize();
-  /// half() at t + `time` from field() at t and a velocity that is constant in time; second order in space. False when
-  /// det ∂ξ/∂x ≤ 0 somewhere in the body (one that keeps its volume: where more than a quarter of it is torn).
-  /// Collective.
+  /// half() at t + `time` from field() at t and a velocity that is constant in time; second order in space. False as
+  /// in initialize(); never for a body that keeps its volume. Collective.
   bool drift_to_half(double time, const Velocity& velocity);
-  /// field() at the end of a step from half(). Collective.
+  /// field() at the end of a step from half(). False as in initialize(), for a body that keeps its volume when more
+  /// than a quarter of its cells are wrong. Collective.
   bool drift_to_end(double time, const Velocity& velocity);
   /// After field() was replaced from outside: its cells inside the body hold ξ, all others nothing. Collective.
   void resume();
@@ -85,8 +85,7 @@ class BodyMap {
   void classify(TileBlock& block, const TileWindow& window) const;
   void measure(TileBlock& block, const TileWindow& window, double first_layer) const;
   void settle();
-  void repair();
-  void extend();
+  bool repair();
   void continue_band();
   void fill_ghosts(Field<2>& field, const Windows& windows) const;
   void copy_ghosts(Field<2>& field, int tile, const Index<2>& offset, const TileWindow& window) const;
@@ -99,7 +98,6 @@ class BodyMap {
   Windows now_windows_, half_windows_;
   GhostExchange<2> exchange_;
   std::int64_t orphans_ = 0, repaired_ = 0;
-  bool torn_ = false;
 };
 
 }  // namespace mortise

@@ -1,7 +1,7 @@
 // Neo-Hookean solids in an incompressible flow, by their reference maps (body_map.hpp): one velocity for both,
-//   σ = s (τ + τ_contact) + (s η + (1 − Σ s) μ_f) (∇v + ∇vᵀ),   τ = G (F Fᵀ − ⅓ (tr F Fᵀ + 1) I),   ρ = (1 − Σ s) ρ_f + Σ s
-//   ρ_s,
-// plane strain; for the s of tractions and of viscosity see solid_edges.cpp (Rycroft, Wu, Yu & Kamrin, Journal of Fluid
+//   σ = s (τ + τ_contact) + (s η + (1 − Σ s) μ_f) (∇v + ∇vᵀ),   τ = G (b − ⅓ (tr b + 1) I),  b = F Fᵀ/det F,
+//   ρ = (1 − Σ s) ρ_f + Σ s ρ_s,
+// plane strain; for the s of shear and of viscosity see solid_edges.cpp (Rycroft, Wu, Yu & Kamrin, Journal of Fluid
 // Mechanics 898, A9, 2020). Maps and velocities are staggered in time, as in reference_map_scene.hpp, so that elastic
 // waves need no viscosity to be stable. What is as short as the cells is damped as by the upwinding of a Riemann
 // problem: by part of the impedance times the jump of linearly reconstructed velocities, a third difference, which is
@@ -43,8 +43,8 @@ struct FlowBody {
 struct FlowSolidsSetup {
   std::vector<FlowBody> bodies;
   double blur = 2;  // half width of the blur zone in cells
-  double damping =
-      0.05;  // part of half the impedance with which velocities that differ across an edge pull at each other
+  // Part of half the impedance with which velocities that differ across an edge pull at each other.
+  double damping = 0.05;
   double fluid_density = 1, fluid_viscosity = 0;
   std::array<bool, 4> walls{};  // west, east, south, north: sides that push bodies back within 3 blur widths
 };

@@ -9,7 +9,7 @@ namespace mortise {
 /// Velocities on cell edges of all local tiles, at the middle of the step. In a tile of nx × ny cells:
 ///   x: components (u, v) on the west edges of cells, offset at(i, j), 0 ≤ i ≤ nx, 0 ≤ j < ny (i = nx: the tile's east
 ///   side); y: components (u, v) on the south edges of cells, offset at(i, j), 0 ≤ i < nx, 0 ≤ j ≤ ny.
-/// The normal components (u of x, v of y) are free of divergence to the tolerance of the pressure solver; the other
+/// The normal components (u of x, v of y) have the divergence of SolidFields to the tolerance of the pressure solver; the other
 /// ones are upwinded and not projected.
 struct EdgeVelocities {
   Field<2> x, y;
