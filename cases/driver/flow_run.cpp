@@ -12,6 +12,7 @@
 #include "mortise/cases/driver/progress.hpp"
 #include "mortise/cases/driver/recorder.hpp"
 #include "mortise/cases/driver/report.hpp"
+#include "mortise/cases/driver/schedule.hpp"
 #include "mortise/cases/driver/tracers.hpp"
 #include "mortise/cases/scene/flow_scene.hpp"
 #include "mortise/coupler/reference_map/flow_grid.hpp"
@@ -32,7 +33,7 @@ FlowScene agreed_scene(const CaseDescription& description, const Communicator& c
   return scene;
 }
 
-/// One run of one case. As in Run (run_case.cpp) steps are those of the whole case, whatever --until says.
+/// One run of one case.
 class FlowRun {
  public:
   FlowRun(const CaseDescription& description, const RunOptions& options, const Communicator& comm)
@@ -116,10 +117,9 @@ class FlowRun {
     tracers_.emplace(description_.probes, mapped_, flow_, description_.oscillation.has_value());
     agree(comm_, [&] { tracers_->restore({checkpoint.motion.begin() + 1, checkpoint.motion.end()}); });
     earlier_steps_ = static_cast<std::int64_t>(checkpoint.totals.front());
-    next_frame_ = checkpoint.next_frame;
+    next_frame_ = next_frame(description_, flow_.time());
   }
 
-  double frame_time(int number) const { return description_.time_end * number / description_.frames; }
   std::int64_t steps() const { return earlier_steps_ + flow_.counts().steps; }
 
   /// The step from here to `event`, of as many equal ones as it takes.
@@ -133,7 +133,7 @@ class FlowRun {
     double next_checkpoint = next_multiple(flow_.time(), interval);
     bool cut_short = false;  // steps are no longer those of the whole run
     while (flow_.time() < end_ * (1 - 1e-14)) {
-      const double event = description_.frames > 0 ? frame_time(next_frame_) : description_.time_end;
+      const double event = frame_time(description_, next_frame_);
       if (!cut_short && flow_.time() + step_to(event) > end_ * (1 + 1e-13)) {
         cut_short = true;
         checkpoint();
@@ -144,7 +144,7 @@ class FlowRun {
       const auto scope = flow_.timers()("output");
       record();
       if (description_.frames > 0 && flow_.time() >= event * (1 - 1e-13)) frame(next_frame_++);
-      if (interval > 0 && !cut_short && flow_.time() >= next_checkpoint) {
+      if (!cut_short && flow_.time() >= next_checkpoint) {
         next_checkpoint = next_multiple(flow_.time(), interval);
         checkpoint();
       }
@@ -154,14 +154,8 @@ class FlowRun {
     if (end_ < description_.time_end && !cut_short) checkpoint();
   }
 
-  /// The first multiple of the interval after `time`; infinite without an interval.
-  static double next_multiple(double time, double interval) {
-    if (!(interval > 0)) return std::numeric_limits<double>::infinity();
-    return interval * (std::floor(time / interval * (1 + 1e-12)) + 1);
-  }
-
   void checkpoint() {
-    Checkpoint state{gather_tiles(flow_, solids_.get()), {flow_.time()}, {static_cast<double>(steps())}, next_frame_};
+    Checkpoint state{gather_tiles(flow_, solids_.get()), {flow_.time()}, {static_cast<double>(steps())}};
     for (const double value : tracers_->state()) state.motion.push_back(value);
     agree(comm_, [&] {
       if (comm_.rank() == 0) write_checkpoint(state, description_.text, directory_);

@@ -38,7 +38,6 @@ void write_checkpoint(const Checkpoint& checkpoint, const std::string& case_text
   writer.write("rates", checkpoint.tiles.rates);
   writer.write("values", checkpoint.tiles.values);
   writer.write("totals", checkpoint.totals);
-  writer.write("next_frame", std::vector<std::int64_t>{checkpoint.next_frame});
   writer.write("case", std::vector<std::string>{case_text});
   writer.finish();
 }
@@ -47,8 +46,7 @@ Checkpoint read_any_checkpoint(const std::string& directory) {
   const CheckpointReader reader(directory + "/checkpoint.h5");
   return {{reader.integers("tiles"), reader.doubles("rates"), reader.doubles("values")},
           reader.doubles("motion"),
-          reader.doubles("totals"),
-          static_cast<int>(reader.integers("next_frame").at(0))};
+          reader.doubles("totals")};
 }
 
 void refuse_checkpoint(const std::string& directory) {
@@ -103,8 +101,8 @@ void Recorder<Dim>::frame(const Simulation<Dim>& simulation, int number) {
 }
 
 template <int Dim>
-void Recorder<Dim>::checkpoint(Simulation<Dim>& simulation, int next_frame, const std::vector<double>& totals) {
-  const Checkpoint state{gather_tiles(simulation), simulation.motion_state(), totals, next_frame};
+void Recorder<Dim>::checkpoint(Simulation<Dim>& simulation, const std::vector<double>& totals) {
+  const Checkpoint state{gather_tiles(simulation), simulation.motion_state(), totals};
   write([&] { write_checkpoint(state, description_.text, directory_); });
 }
 

@@ -23,7 +23,6 @@ struct Checkpoint {
   TileRecords tiles;
   std::vector<double> motion;  // Simulation::motion_state(); of incompressible flows the time and Tracers::state()
   std::vector<double> totals;  // of the report; of incompressible flows the number of steps
-  int next_frame = 0;
 };
 
 /// Replaces the checkpoint in `directory`. Throws EnvironmentError.
@@ -47,7 +46,7 @@ class Recorder {
   /// Fields and pictures of this instant. Collective.
   void frame(const Simulation<Dim>& simulation, int number);
   /// `totals`: of the report (RunReport::totals_so_far). Collective.
-  void checkpoint(Simulation<Dim>& simulation, int next_frame, const std::vector<double>& totals);
+  void checkpoint(Simulation<Dim>& simulation, const std::vector<double>& totals);
   /// Throws AgreedFailure when something could not be written. Collective.
   void settle() const;
   const std::string& last_picture() const { return last_picture_; }

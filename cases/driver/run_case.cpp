@@ -12,6 +12,7 @@
 #include "mortise/cases/driver/progress.hpp"
 #include "mortise/cases/driver/recorder.hpp"
 #include "mortise/cases/driver/report.hpp"
+#include "mortise/cases/driver/schedule.hpp"
 #include "mortise/cases/scene/scene.hpp"
 #include "mortise/grids/core/error.hpp"
 
@@ -25,11 +26,7 @@ Scene<Dim> agreed_scene(const CaseDescription& description, const Communicator& 
   return scene;
 }
 
-/// The first multiple of the interval after `time`: the same for a run in one go and a run in pieces.
-double next_multiple(double time, double interval) { return interval * (std::floor(time / interval * (1 + 1e-12)) + 1); }
-
-/// One run of one case. The times of frames are those of the whole case, whatever --until says, so that a run in pieces
-/// takes the same steps as a run in one go.
+/// One run of one case.
 template <int Dim>
 class Run {
  public:
@@ -80,9 +77,9 @@ class Run {
       simulation_.resume(checkpoint.motion);  // cuts the holes, so that the tiles to be filled are there
       scatter_tiles(checkpoint.tiles, simulation_);
       simulation_.resume(checkpoint.motion);
-      next_frame_ = checkpoint.next_frame;
       earlier_totals_ = checkpoint.totals;
       resume_time_ = simulation_.time();
+      next_frame_ = next_frame(description_, simulation_.time());
     }
     agree(comm_, [&] {
       if (comm_.rank() == 0) prepare_output_directory(directory_, options_.overwrite && !continued);
@@ -101,17 +98,15 @@ class Run {
     recorder.settle();
   }
 
-  double frame_time(int number) const { return description_.time_end * number / description_.frames; }
-
   void loop(Recorder<Dim>& recorder, Progress& progress, RunReport<Dim>& report) {
     const double interval = description_.checkpoint_interval;
-    double next_checkpoint = interval > 0 ? next_multiple(simulation_.time(), interval) : 0;
+    double next_checkpoint = next_multiple(simulation_.time(), interval);
     bool cut_short = false;  // steps are no longer those of the whole run
     while (simulation_.time() < end_) {
-      const double event = description_.frames > 0 ? frame_time(next_frame_) : description_.time_end;
+      const double event = frame_time(description_, next_frame_);
       if (end_ < event && !cut_short && !simulation_.same_step(end_, event)) {
         cut_short = true;
-        recorder.checkpoint(simulation_, next_frame_, report.totals_so_far());
+        recorder.checkpoint(simulation_, report.totals_so_far());
       }
       const double dt = simulation_.advance(std::min(event, end_));
       report.track();
@@ -119,16 +114,16 @@ class Run {
         const auto scope = simulation_.timers()("output");
         recorder.histories(simulation_);
         if (description_.frames > 0 && simulation_.time() >= event) recorder.frame(simulation_, next_frame_++);
-        if (interval > 0 && !cut_short && simulation_.time() >= next_checkpoint) {
+        if (!cut_short && simulation_.time() >= next_checkpoint) {
           next_checkpoint = next_multiple(simulation_.time(), interval);
-          recorder.checkpoint(simulation_, next_frame_, report.totals_so_far());
+          recorder.checkpoint(simulation_, report.totals_so_far());
         }
         recorder.settle();
       }
       progress.step(simulation_.time(), simulation_.steps(), dt, simulation_.cell_updates());
     }
     if (description_.frames > 0 && cut_short) recorder.frame(simulation_, next_frame_);
-    if (end_ < description_.time_end && !cut_short) recorder.checkpoint(simulation_, next_frame_, report.totals_so_far());
+    if (end_ < description_.time_end && !cut_short) recorder.checkpoint(simulation_, report.totals_so_far());
     recorder.settle();
   }
 

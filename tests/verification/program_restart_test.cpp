@@ -109,6 +109,27 @@ TEST_F(Restart, InThreePiecesWithContacts) {
   EXPECT_GT(summary_of(whole)["contacts"], 0);
 }
 
+// Ten frames over the run: those after 0.5 of it follow, whatever came before.
+TEST_F(Restart, WithOtherFrames) {
+  struct Part {
+    Arguments scene;
+    std::string until;
+  };
+  for (const Part& part : {Part{piston(), "0.55"}, Part{spinning_disk(), "0.055"}}) {
+    run(part.scene, "parts", {"--until", part.until, "--overwrite"});
+    Arguments ten = part.scene;
+    *(std::ranges::find(ten, "--frames") + 1) = "10";
+    const std::string out = run(ten, "late", {"--restart", folder / "parts", "--overwrite"});
+    std::set<std::string> numbers;
+    for (const auto& entry : std::filesystem::directory_iterator(out + "/frames")) {
+      const std::string name = entry.path().stem().string();
+      numbers.insert(name.substr(name.size() - 4));
+    }
+    EXPECT_EQ(numbers, (std::set<std::string>{"0006", "0007", "0008", "0009", "0010"})) << part.until;
+    EXPECT_EQ(summary_of(out)["status"], "finished");
+  }
+}
+
 TEST_F(Restart, IntoAnotherDirectory) {
   const Arguments scene = piston();
   run(scene, "whole");
