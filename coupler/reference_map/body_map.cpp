@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mortise/coupler/reference_map/map_branches.hpp"
 #include "mortise/grids/core/error.hpp"
 #include "mortise/grids/core/simd.hpp"
 
@@ -183,17 +184,42 @@ void BodyMap::settle() {
 }
 
 void BodyMap::continue_band() {
+  fill_band(0);
+  folded_ = grid_.forest.communicator().any(jumps());
+  if (!folded_) return;
+  for (const int t : held(now_))
+    for_packs(grid_.shape, now_windows_[index(t)], [&](std::size_t k, PackMask own) {
+      empty(now_.tile(t), k, own & (load(now_.tile(t).component(3) + k) != 0));
+    });
+  fill_band(branch_jump * grid_.spacing.maxCoeff());
+}
+
+void BodyMap::fill_band(double largest_jump) {
   const std::vector<int> tiles = held(now_);
   const TileWindow cells = tile_cells(grid_.shape);
   orphans_ = 0;
   fill_ghosts(now_, now_windows_);
   for (int number = 1; number <= layers(); ++number) {
     for (const int t : tiles) {
-      const int orphans = extend_layer(grid_.shape, now_windows_[index(t)] & cells, number, now_.tile(t));
+      const int orphans = extend_layer(grid_.shape, now_windows_[index(t)] & cells, number, now_.tile(t), largest_jump);
       if (number <= 2) orphans_ += orphans;
     }
     fill_ghosts(now_, now_windows_);
   }
+}
+
+/// Neighbours on this rank whose ξ are further apart than a deformation takes them.
+bool BodyMap::jumps() const {
+  PackMask found{};
+  for (const int t : held(now_))
+    for_packs(grid_.shape, now_windows_[index(t)] & tile_cells(grid_.shape), [&](std::size_t k, PackMask own) {
+      const MapBranch branch(now_.tile(t), k, grid_.spacing.maxCoeff());
+      own = own & branch.known(0);
+      const double largest = suspicious_jump * suspicious_jump;
+      found |= own & branch.known(-1) & (branch.jump2(-1) > largest);
+      found |= own & branch.known(-grid_.shape.stride) & (branch.jump2(-grid_.shape.stride) > largest);
+    });
+  return any(found);
 }
 
 /// Sharp bends and liquid that shears past a surface may tear at the map of a few cells, layer after layer, since no
@@ -207,7 +233,7 @@ bool BodyMap::repair() {
     TileBlock& block = now_.tile(t);
     std::vector<std::size_t> wrong;
     for_packs(grid_.shape, now_windows_[index(t)] & cells, [&](std::size_t k, PackMask own) {
-      const Pack det = map_determinant(block, k, grid_.shape.stride, grid_.spacing);
+      const Pack det = determinant(block, k);
       own = own & (load(block.component(3) + k) == 0);
       for (int l = 0; l < simd_width; ++l) inside += own[l] != 0;
       own = own & ~((det >= 0.5) & (det <= 2));
@@ -310,7 +336,8 @@ void BodyMap::fill_ghosts_beyond(TileBlock& block, const Index<2>& outward, cons
   }
 }
 
-/// ξ(x) ← ξ(x − d), d = τ v(x − ½τ v(x)), by the biquadratic through 9 cells, in the body and `last_layer` layers.
+/// ξ(x) ← ξ(x − d), d = τ v(x − ½τ v(x)), by the biquadratic through 9 cells, in the body and `last_layer` layers;
+/// where those 9 are not of one part of the body by upwind differences within the part.
 void BodyMap::advect_tile(int tile, const Field<2>& field, Field<2>& to_field, const TileVelocity& velocity,
                           double time, double last_layer) const {
   const TileShape<2>& shape = grid_.shape;
@@ -341,6 +368,19 @@ void BodyMap::advect_tile(int tile, const Field<2>& field, Field<2>& to_field, c
           return px.before * load(p - 1) + px.here * load(p) + px.after * load(p + 1);
         };
         store(out, select(moves, Pack(py.before * row(q - s) + py.here * row(q) + py.after * row(q + s)), load(out)));
+      }
+      if (!folded_) continue;
+      const MapBranch branch(from, k + static_cast<std::size_t>(i), grid_.spacing.maxCoeff());
+      const PackMask torn = moves & ~branch.reaches_all(s);
+      if (!any(torn)) continue;
+      const Pack dx = cx * load(u + i), dy = cy * load(v + i);
+      for (int c = 0; c < 2; ++c) {
+        const double* q = from.component(c) + k + i;
+        double* const out = to.component(c) + k + i;
+        store(out, select(torn,
+                          Pack(load(q) - dx * branch_upwind(branch, q, 1, dx > 0) -
+                               dy * branch_upwind(branch, q, s, dy > 0)),
+                          load(out)));
       }
     }
   }
@@ -377,21 +417,18 @@ bool BodyMap::drift_to_end(double time, const Velocity& velocity) {
 }
 
 bool BodyMap::admissible(const Field<2>& field, const Windows& windows) const {
-  const std::ptrdiff_t s = grid_.shape.stride;
   PackMask bad{};
-  for (const int t : held(field)) {
-    const TileBlock& block = field.tile(t);
-    const TileWindow window = windows[index(t)] & tile_cells(grid_.shape);
-    for (int j = window.low[1]; j < window.high[1]; ++j)
-      for (int i = window.low[0]; i < window.high[0]; i += simd_width) {
-        const std::size_t k = grid_.shape.at(i, j);
-        const Pack det = map_determinant(block, k, s, grid_.spacing);
-        const double* const layer = block.component(3) + k;
-        const PackMask inside = (load(layer) == 0) & lanes_below(window.high[0] - i);
-        bad |= inside & ~(det > 0);
-      }
-  }
+  for (const int t : held(field))
+    for_packs(grid_.shape, windows[index(t)] & tile_cells(grid_.shape), [&](std::size_t k, PackMask own) {
+      const TileBlock& block = field.tile(t);
+      bad |= own & (load(block.component(3) + k) == 0) & ~(determinant(block, k) > 0);
+    });
   return !grid_.forest.communicator().any(any(bad));
+}
+
+Pack BodyMap::determinant(const TileBlock& block, std::size_t k) const {
+  return folded_ ? branch_determinant(block, k, grid_.shape.stride, grid_.spacing)
+                 : map_determinant(block, k, grid_.shape.stride, grid_.spacing);
 }
 
 }  // namespace mortise

@@ -71,6 +71,8 @@ class BodyMap {
   const LevelSet& level_set() const { return *setup_.level_set; }
   /// Cells of the band that could not be continued from any neighbours, in the last step on this rank.
   std::int64_t orphans() const { return orphans_; }
+  /// Two parts of its surface are so close that nothing may be averaged across the gap (map_branches.hpp).
+  bool folded() const { return folded_; }
   /// Cells whose map was replaced because it did not keep its volume, over all steps on this rank.
   std::int64_t repaired() const { return repaired_; }
   std::size_t memory_bytes() const;
@@ -87,9 +89,12 @@ class BodyMap {
   void settle();
   bool repair();
   void continue_band();
+  void fill_band(double largest_jump);
+  bool jumps() const;
   void fill_ghosts(Field<2>& field, const Windows& windows) const;
   void copy_ghosts(Field<2>& field, int tile, const Index<2>& offset, const TileWindow& window) const;
   void fill_ghosts_beyond(TileBlock& block, const Index<2>& outward, const TileWindow& window) const;
+  Pack determinant(const TileBlock& block, std::size_t k) const;
   bool admissible(const Field<2>& field, const Windows& windows) const;
 
   Setup setup_;
@@ -98,6 +103,7 @@ class BodyMap {
   Windows now_windows_, half_windows_;
   GhostExchange<2> exchange_;
   std::int64_t orphans_ = 0, repaired_ = 0;
+  bool folded_ = false;
 };
 
 }  // namespace mortise

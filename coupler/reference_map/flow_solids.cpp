@@ -117,7 +117,7 @@ void FlowSolids::write_tile(int t, bool half, double time, SolidFields& fields) 
   for (std::size_t b = 0; b < maps_.size(); ++b) {
     const TileBlock& map = (half ? maps_[b]->half() : maps_[b]->field()).tile(t);
     if (!map.allocated()) continue;
-    bodies.push_back({&setup_.bodies[b], &map, maps_[b]->window(t, half)});
+    bodies.push_back({&setup_.bodies[b], &map, maps_[b]->window(t, half), maps_[b]->folded()});
     around = around | bodies.back().window;
   }
   // Of windows that reach into a tile's ghosts the tile has edges along its far sides.
@@ -131,6 +131,7 @@ void FlowSolids::write_tile(int t, bool half, double time, SolidFields& fields) 
     add_volume(t, *body.body, *body.map, cells, fields);
     for (const Anchor& anchor : body.body->anchors) add_anchor(t, *body.body, anchor, time, *body.map, cells, fields);
     add_elastic(edges, body);
+    if (body.folded) add_self_contact(edges, body);
     for (const EdgeBody& other : bodies)
       if (other.body != body.body && !(body.window & other.window).empty()) add_contact(edges, body, other);
     for (std::size_t side = 0; side < 4; ++side)

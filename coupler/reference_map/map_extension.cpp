@@ -23,24 +23,76 @@ struct Moments {
   }
 };
 
-template <int i, int j>
+/// ξ of the nearest neighbour that holds it, and where that is.
+struct Nearest {
+  Pack x{}, y{}, i{}, j{}, layer = broadcast(unknown_layer);
+
+  /// Of neighbours in the lowest layer the first one counts.
+  MORTISE_INLINE void offer(const double* xi_x, const double* xi_y, const double* layers, std::ptrdiff_t stride, int di,
+                            int dj) {
+    const std::ptrdiff_t k = dj * stride + di;
+    const Pack candidate = load(layers + k);
+    const PackMask closer = candidate < layer;
+    x = select(closer, load(xi_x + k), x), y = select(closer, load(xi_y + k), y);
+    i = select(closer, broadcast(di), i), j = select(closer, broadcast(dj), j);
+    layer = select(closer, candidate, layer);
+  }
+};
+
+/// Which neighbours count: all in lower layers, or those of them that are of the nearest one's part.
+struct AllNeighbors {
+  MORTISE_INLINE PackMask operator()(int, int, Pack, Pack) const { return ~PackMask{}; }
+};
+struct NeighborsOfPart {
+  Nearest nearest;
+  double largest2;
+
+  MORTISE_INLINE PackMask operator()(int i, int j, Pack xi_x, Pack xi_y) const {
+    const Pack dx = xi_x - nearest.x, dy = xi_y - nearest.y, di = i - nearest.i, dj = j - nearest.j;
+    return dx * dx + dy * dy <= largest2 * (di * di + dj * dj);
+  }
+};
+
+template <int i, int j, class Which>
 MORTISE_INLINE void add_neighbor(Moments& m, const double* x, const double* y, const double* layer,
-                                 std::ptrdiff_t stride, double number) {
+                                 std::ptrdiff_t stride, double number, const Which& which) {
   if constexpr (i != 0 || j != 0) {
     constexpr double r2 = i * i + j * j;
     const std::ptrdiff_t k = j * stride + i;
-    m.add(i, j, select(load(layer + k) < number, broadcast(1 / (r2 * r2)), Pack{}), load(x + k), load(y + k));
+    const Pack xi_x = load(x + k), xi_y = load(y + k);
+    const PackMask counts = (load(layer + k) < number) & which(i, j, xi_x, xi_y);
+    m.add(i, j, select(counts, broadcast(1 / (r2 * r2)), Pack{}), xi_x, xi_y);
   }
 }
 
-template <int j>
+template <int j, class Which>
 MORTISE_INLINE void add_row(Moments& m, const double* x, const double* y, const double* layer, std::ptrdiff_t stride,
-                            double number) {
-  add_neighbor<-2, j>(m, x, y, layer, stride, number);
-  add_neighbor<-1, j>(m, x, y, layer, stride, number);
-  add_neighbor<0, j>(m, x, y, layer, stride, number);
-  add_neighbor<1, j>(m, x, y, layer, stride, number);
-  add_neighbor<2, j>(m, x, y, layer, stride, number);
+                            double number, const Which& which) {
+  add_neighbor<-2, j>(m, x, y, layer, stride, number, which);
+  add_neighbor<-1, j>(m, x, y, layer, stride, number, which);
+  add_neighbor<0, j>(m, x, y, layer, stride, number, which);
+  add_neighbor<1, j>(m, x, y, layer, stride, number, which);
+  add_neighbor<2, j>(m, x, y, layer, stride, number, which);
+}
+
+template <class Which>
+MORTISE_INLINE Moments moments(const double* x, const double* y, const double* layer, std::ptrdiff_t stride,
+                               double number, const Which& which) {
+  Moments m;
+  add_row<-2>(m, x, y, layer, stride, number, which);
+  add_row<-1>(m, x, y, layer, stride, number, which);
+  add_row<0>(m, x, y, layer, stride, number, which);
+  add_row<1>(m, x, y, layer, stride, number, which);
+  add_row<2>(m, x, y, layer, stride, number, which);
+  return m;
+}
+
+MORTISE_INLINE Nearest nearest(const double* x, const double* y, const double* layer, std::ptrdiff_t stride) {
+  Nearest n;
+  for (const int side : {-1, 1}) n.offer(x, y, layer, stride, side, 0), n.offer(x, y, layer, stride, 0, side);
+  for (const int i : {-1, 1})
+    for (const int j : {-1, 1}) n.offer(x, y, layer, stride, i, j);
+  return n;
 }
 
 int count(PackMask mask) {
@@ -51,7 +103,7 @@ int count(PackMask mask) {
 
 }  // namespace
 
-int extend_layer(const TileShape<2>& shape, const TileWindow& window, int number, TileBlock& map) {
+int extend_layer(const TileShape<2>& shape, const TileWindow& window, int number, TileBlock& map, double largest_jump) {
   const std::ptrdiff_t s = shape.stride;
   const double n = number;
   int orphans = 0;
@@ -65,12 +117,10 @@ int extend_layer(const TileShape<2>& shape, const TileWindow& window, int number
           min(least, min(min(load(layer - s - 1), load(layer - s + 1)), min(load(layer + s - 1), load(layer + s + 1))));
       const PackMask wanted = (here == unknown_layer) & (least < n) & lanes_below(window.high[0] - i);
       if (!any(wanted)) continue;
-      Moments m;
-      add_row<-2>(m, x, y, layer, s, n);
-      add_row<-1>(m, x, y, layer, s, n);
-      add_row<0>(m, x, y, layer, s, n);
-      add_row<1>(m, x, y, layer, s, n);
-      add_row<2>(m, x, y, layer, s, n);
+      const Moments m =
+          largest_jump > 0
+              ? moments(x, y, layer, s, n, NeighborsOfPart{nearest(x, y, layer, s), largest_jump * largest_jump})
+              : moments(x, y, layer, s, n, AllNeighbors{});
       // Moments about the mean; the value at (0, 0) is mean − slope · mean position.
       const Pack inverse = 1.0 / max(m.w, broadcast(1e-300)), mi = inverse * m.wi, mj = inverse * m.wj;
       const Pack cii = m.wii - m.wi * mi, cij = m.wij - m.wi * mj, cjj = m.wjj - m.wj * mj;

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "mortise/coupler/reference_map/map_branches.hpp"
+
 namespace mortise {
 namespace {
 
@@ -12,6 +14,7 @@ namespace {
 constexpr double shear_inset = 0.3, viscosity_inset = 0.5;
 
 constexpr double least_determinant = 0.25;  // |det ∂ξ/∂x − 1| is small where the map is whole
+constexpr double contact_stiffness = 4;     // pressure of contacts, in shear moduli, where surfaces meet
 
 struct Stress {
   Pack xx{}, xy{}, yy{};
@@ -133,6 +136,7 @@ void add_elastic(const EdgeSolids& tile, const EdgeBody& body) {
       // Where bands of two parts of a surface meet the map is torn.
       const Pack det = G.determinant();
       own = own & (det > least_determinant) & (det < 1 / least_determinant);
+      if (body.folded) own = own & (G.xx * G.xx + G.xy * G.xy + G.yx * G.yx + G.yy * G.yy < branch_jump * branch_jump);
       // Lanes that do not count compute with an undeformed solid.
       G = {select(own, G.xx, broadcast(1.0)), select(own, G.xy, Pack{}), select(own, G.yx, Pack{}),
            select(own, G.yy, broadcast(1.0))};
@@ -159,7 +163,7 @@ void add_elastic(const EdgeSolids& tile, const EdgeBody& body) {
 
 void add_contact(const EdgeSolids& tile, const EdgeBody& body, const EdgeBody& other) {
   const double inverse_width = 1 / tile.width;
-  const double modulus = 4 * std::min(body.body->shear_modulus, other.body->shear_modulus);
+  const double modulus = contact_stiffness * std::min(body.body->shear_modulus, other.body->shear_modulus);
   const double *const mine = body.map->component(2), *const theirs = other.map->component(2);
   for (const int direction : {0, 1}) {
     const Edges edges(tile, direction, body.window & other.window);
@@ -175,11 +179,38 @@ void add_contact(const EdgeSolids& tile, const EdgeBody& body, const EdgeBody& o
   }
 }
 
+void add_self_contact(const EdgeSolids& tile, const EdgeBody& body) {
+  const double inverse_width = 1 / tile.width, modulus = contact_stiffness * body.body->shear_modulus;
+  const double* const phi = body.map->component(2);
+  const std::ptrdiff_t row = tile.grid->shape.stride;
+  const Point<2>& h = tile.grid->spacing;
+  const auto outward = [&](const MapBranch& branch, const double* q) {
+    return Vector{(1 / h[0]) * branch_slope(branch, q, 1), (1 / h[1]) * branch_slope(branch, q, row)};
+  };
+  for (const int direction : {0, 1}) {
+    const std::ptrdiff_t back = direction == 0 ? 1 : row;
+    const Edges edges(tile, direction, body.window);
+    edges.visit(body, tile.width, [&](int, int, std::size_t k, PackMask own, Pack level) {
+      const MapBranch here(*body.map, k, h.maxCoeff());
+      own = own & ~here.reaches(-back);
+      if (!any(own)) return;
+      const MapBranch there(*body.map, k - static_cast<std::size_t>(back), h.maxCoeff());
+      const Vector a = outward(there, phi + k - back), b = outward(here, phi + k);
+      const Vector n{select(own, Pack(a.x - b.x), Pack{}), select(own, Pack(a.y - b.y), Pack{})};
+      const Pack overlap = 1.0 - level * inverse_width;
+      // Each of the two parts pushes.
+      edges.add(
+          k, own,
+          push_along(n, select(own, Pack(2.0 * solid_share(level, inverse_width) * (modulus * overlap)), Pack{})));
+    });
+  }
+}
+
 void add_wall_push(const EdgeSolids& tile, const EdgeBody& body, std::size_t side) {
   const ComponentGrid<2>& grid = *tile.grid;
   const std::size_t d = side / 2;
   const auto e = static_cast<Eigen::Index>(d);
-  const double inverse_width = 1 / tile.width, modulus = 4 * body.body->shear_modulus;
+  const double inverse_width = 1 / tile.width, modulus = contact_stiffness * body.body->shear_modulus;
   const Index<2> first = grid.first_cell(tile.tile);
   const double h = grid.spacing[e], end = side % 2 ? grid.cells[d] * h : 0.0;
   Pack steps{};

@@ -11,6 +11,7 @@ struct EdgeBody {
   const FlowBody* body;
   const TileBlock* map;
   TileWindow window;
+  bool folded;  // BodyMap::folded()
 };
 
 struct EdgeSolids {
@@ -30,6 +31,9 @@ void add_elastic(const EdgeSolids& tile, const EdgeBody& body);
 /// Where the blur zones of two bodies overlap a pressure along n = ∇φ_other − ∇φ pushes `body` away, deviatoric and
 /// growing with the overlap (Rycroft et al., J. Fluid Mech. 898 (2020) A9).
 void add_contact(const EdgeSolids& tile, const EdgeBody& body, const EdgeBody& other);
+
+/// The same between two parts of the surface of one folded body, on edges where its map jumps from one to the other.
+void add_self_contact(const EdgeSolids& tile, const EdgeBody& body);
 
 /// The same within three blur widths of a side (west, east, south, north) of the domain.
 void add_wall_push(const EdgeSolids& tile, const EdgeBody& body, std::size_t side);

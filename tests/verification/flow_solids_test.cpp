@@ -61,6 +61,33 @@ TEST(FlowSolids, SwellingMaterialTakesItsStretch) {
   EXPECT_NEAR(at(0, 0.3).y(), 0.3 / 1.1, 0.01);
 }
 
+// The two prongs of a clip are thrown against each other. They neither cross nor stick together.
+TEST(FlowSolids, PartsOfOneBodyMeetAndPart) {
+  FlowCase clip(
+      "spinning_disk",
+      {"time.end=0.9", "solids=[{shape=\"polygon\", corners=[[-0.5, -0.35], [0.5, -0.35], [0.5, -0.15], " +
+                           std::string("[-0.3, -0.15], [-0.3, 0.15], [0.5, 0.15], [0.5, 0.35], [-0.5, 0.35]]") +
+                           ", fillet=0.03, material={law=\"neo_hookean\", density=3, lambda=1, mu=10}, " +
+                           "initial={kind=\"formula\", velocity=[0, \"(y>0 ? -1 : 1)*2.5*max(x+0.4, 0)^2\"]}}]"});
+  const auto gap = [&] {
+    const MappedSolid solid = mapped_solids(clip.solids, clip.flow)[0];
+    return material_point(solid, {0.45, 0.16})->x.y() - material_point(solid, {0.45, -0.16})->x.y();
+  };
+  const double mass = clip.solid().mass;
+  double least = gap();
+  bool folded = false;
+  while (clip.flow.time() < 0.9) {
+    clip.flow.advance(0.9 - clip.flow.time());
+    least = std::min(least, gap());
+    folded = folded || clip.solids.maps()[0]->folded();
+  }
+  EXPECT_TRUE(folded);
+  EXPECT_GT(least, 0.01);
+  EXPECT_LT(least, 3 * clip.grid.spacing.x());
+  EXPECT_GT(gap(), 0.3);
+  EXPECT_NEAR(clip.solid().mass, mass, 0.01 * mass);
+}
+
 /// The corners of a star about the origin, the first one on the x axis.
 std::string star(int points, double outer, double inner) {
   std::string corners;

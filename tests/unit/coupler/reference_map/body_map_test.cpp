@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace mortise {
@@ -9,16 +10,16 @@ namespace {
 
 constexpr double pi = 3.141592653589793;
 
-/// [−1, 1]² in tiles, a disk of radius 0.5 around (0.1, 0), and what a flow makes of it.
+/// [−1, 1]² in tiles, a body, by default a disk of radius 0.5 around (0.1, 0), and what a flow makes of it.
 class Scene {
  public:
   explicit Scene(int cells, const std::function<Point<2>(const Point<2>&)>& velocity,
-                 std::function<Point<2>(const Point<2>&)> initial = {}, bool keeps_volume = false)
+                 std::function<Point<2>(const Point<2>&)> initial = {}, bool keeps_volume = false,
+                 const Outline& outline = Outline::circle(0.5).placed({{0.1, 0}, 0}))
       : grid("background", Communicator(), {cells, cells}, {false, false}, TileShape<2>({cells / 4, cells / 4})) {
     grid.origin = {-1, -1};
     grid.spacing = {2.0 / cells, 2.0 / cells};
-    const auto level_set = std::make_shared<LevelSet>(Outline::circle(0.5).placed({{0.1, 0}, 0}),
-                                                      0.5 * grid.spacing.x(), 14 * grid.spacing.x());
+    const auto level_set = std::make_shared<LevelSet>(outline, 0.5 * grid.spacing.x(), 14 * grid.spacing.x());
     if (!initial) initial = [](const Point<2>& x) { return x; };
     BodyMap::Setup setup{"disk", {1, 1, 1, 1, 1.4, true}, level_set, initial};
     setup.keeps_volume = keeps_volume;
@@ -111,6 +112,24 @@ TEST(BodyMap, RigidRotationIsOfSecondOrder) {
   EXPECT_GT(std::log2(errors[0] / errors[1]), 1.9);
 }
 
+/// What a checkpoint keeps, the cells inside, makes the same map again to the last bit.
+void expect_resumes(Scene& scene, Scene&& fresh) {
+  for (int t = 0; t < scene.grid.forest.local_count(); ++t) {
+    TileBlock &here = scene.map->field().tile(t), &there = fresh.map->field().tile(t);
+    if (there.allocated()) there.release();
+    if (!here.allocated()) continue;
+    fresh.map->field().allocate(t);
+    std::ranges::copy(here.all(), there.all().begin());
+  }
+  fresh.map->resume();
+  EXPECT_EQ(fresh.map->folded(), scene.map->folded());
+  for (int t = 0; t < scene.grid.forest.local_count(); ++t) {
+    TileBlock &here = scene.map->field().tile(t), &there = fresh.map->field().tile(t);
+    ASSERT_EQ(here.allocated(), there.allocated());
+    EXPECT_TRUE(!here.allocated() || std::ranges::equal(here.all(), there.all())) << t;
+  }
+}
+
 /// The two outermost cells at the top of the disk are torn off: they hold hardly more than the ξ of the third one.
 void tear(Scene& scene) {
   const TileShape<2>& shape = scene.grid.shape;
@@ -140,6 +159,45 @@ TEST(BodyMap, TornCellsBesideTheSurfaceAreContinuedFromInside) {
   EXPECT_EQ(left.map->repaired(), 0);
   EXPECT_GT(repaired.map->repaired(), 20);
   EXPECT_LT(repaired.map->repaired(), 60);
+  expect_resumes(repaired, Scene(64, rest, {}, true));
+}
+
+/// A bar bent to a ring whose ends are `gap` cells apart, rotating.
+class BentBar {
+ public:
+  BentBar(int cells, double gap)
+      : scene(
+            cells, [](const Point<2>& x) { return Point<2>(-x.y(), x.x()); }, bent, true,
+            Outline::rounded_rectangle(2 * pi * radius - gap * 2.0 / cells, 0.3, 0.02)) {}
+
+  static Point<2> bent(const Point<2>& x) { return {radius * std::atan2(x.y(), x.x()), radius - x.norm()}; }
+
+  static constexpr double radius = 0.5;
+  Scene scene;
+};
+
+// Half way between the ends of the bar, ξ is that of its middle if it is an average of theirs.
+TEST(BodyMap, EndsOfABentBarStayApart) {
+  for (const double gap : {1.5, 3.0, 5.0}) {
+    BentBar bar(64, gap);
+    Scene& scene = bar.scene;
+    EXPECT_TRUE(scene.map->folded()) << gap;
+    const int before = scene.inside();
+    const double turn = 0.9;
+    for (int k = 0; k < 45; ++k) scene.step(turn / 45);
+    EXPECT_TRUE(scene.map->folded()) << gap;
+    EXPECT_NEAR(scene.inside(), before, 0.02 * before) << gap;
+    const Eigen::Rotation2Dd back(-turn);
+    EXPECT_LT(scene.error([&](const Point<2>& x) { return BentBar::bent(back * x); }, 0), scene.grid.spacing.x())
+        << gap;
+    EXPECT_EQ(scene.map->repaired(), 0) << gap;
+    expect_resumes(scene, BentBar(64, gap).scene);
+  }
+}
+
+TEST(BodyMap, BodiesThatKeepTheirDistanceAreNotFolded) {
+  const Scene disk(64, [](const Point<2>&) { return Point<2>::Zero(); });
+  EXPECT_FALSE(disk.map->folded());
 }
 
 TEST(BodyMap, MemoryIsThatOfTheTilesNearTheBody) {
