@@ -12,7 +12,7 @@
 
 namespace mortise {
 
-/// The coarsest grid of this many cells is small enough for the cycle to be worth it.
+/// Halving leads from this many cells to a grid that is small enough for the cycle to be worth it.
 bool suits_multigrid(const Index<2>& cells);
 
 std::unique_ptr<Preconditioner> make_multigrid(const PressureProblem& problem);
