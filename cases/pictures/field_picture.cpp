@@ -60,16 +60,53 @@ bool holds_data(const Snapshot& snapshot, const PictureValues& values, bool soli
   return false;
 }
 
-/// Colours what the grids of one domain cover and have values on.
+/// Which pixels of the axes lie in solids that share the grid of the fluid. Empty without such solids.
+std::vector<char> inside_surfaces(const Axes& axes, const Snapshot& snapshot) {
+  if (snapshot.surfaces.empty()) return {};
+  std::vector<char> inside(static_cast<std::size_t>((axes.x1 - axes.x0) * (axes.y1 - axes.y0)), 0);
+  for (const std::vector<Point<2>>& surface : snapshot.surfaces)  // those of holes are surfaces, too
+    for_each_run(axes.pixels(surface), {axes.x0, axes.y0, axes.x1, axes.y1}, [&](int y, int x0, int x1) {
+      for (int x = x0; x < x1; ++x)
+        inside[static_cast<std::size_t>((y - axes.y0) * (axes.x1 - axes.x0) + x - axes.x0)] ^= 1;
+    });
+  return inside;
+}
+
+constexpr int layers_continued = 3;  // cells that are partly solid hold no gas, beside cells that are wholly gas
+
+/// Values of cells without data beside others: the means of those of their neighbours, layer by layer.
+std::vector<double> continued(const GridSnapshot& grid, std::vector<double> values) {
+  for (int layer = 0; layer < layers_continued; ++layer) {
+    const std::vector<double> before = values;
+    for (int j = 0; j < grid.cells[1]; ++j)
+      for (int i = 0; i < grid.cells[0]; ++i) {
+        if (std::isfinite(before[grid.cell(i, j)])) continue;
+        double sum = 0;
+        int count = 0;
+        for (int b = std::max(j - 1, 0); b <= std::min(j + 1, grid.cells[1] - 1); ++b)
+          for (int a = std::max(i - 1, 0); a <= std::min(i + 1, grid.cells[0] - 1); ++a)
+            if (std::isfinite(before[grid.cell(a, b)])) sum += before[grid.cell(a, b)], ++count;
+        if (count > 0) values[grid.cell(i, j)] = sum / count;
+      }
+  }
+  return values;
+}
+
+/// Colours what the grids of one domain cover and have values on; of solids and fluid on one grid up to the surfaces
+/// between them, not by whole cells.
 void paint(Image& image, const Axes& axes, const Snapshot& snapshot, const Layer& layer, bool solid) {
+  const std::vector<char> inside = inside_surfaces(axes, snapshot);
+  const bool shared = !inside.empty();
   FieldRaster raster(axes);
   for (std::size_t k = 0; k < snapshot.grids.size(); ++k)
     if (snapshot.grids[k].solid == solid)
-      raster.add(snapshot.grids[k], layer.values[k], k == 0 || solid ? 1 : body_grid_priority);
+      raster.add(snapshot.grids[k], shared ? continued(snapshot.grids[k], layer.values[k]) : layer.values[k],
+                 k == 0 || solid ? 1 : body_grid_priority, shared);
+  std::size_t pixel = 0;
   for (int y = axes.y0; y < axes.y1; ++y)
-    for (int x = axes.x0; x < axes.x1; ++x) {
+    for (int x = axes.x0; x < axes.x1; ++x, ++pixel) {
       const double value = raster.at(x - axes.x0, y - axes.y0);
-      if (!std::isnan(value)) image.at(x, y) = layer.color(value);
+      if (!std::isnan(value) && (!shared || (inside[pixel] != 0) == solid)) image.at(x, y) = layer.color(value);
     }
 }
 

@@ -128,15 +128,17 @@ double FieldRaster::at(int x, int y) const {
   return weight_[k] > 0 ? static_cast<double>(sum_[k] / weight_[k]) : std::numeric_limits<double>::quiet_NaN();
 }
 
-void FieldRaster::add(const GridSnapshot& grid, const std::vector<double>& values, double priority) {
+void FieldRaster::add(const GridSnapshot& grid, const std::vector<double>& values, double priority,
+                      bool beyond) {
   const Sampler sampler(grid, values, priority);
   if (const auto uniform = cartesian(grid))
-    add_cartesian(sampler, (*uniform)[0], (*uniform)[1]);
+    add_cartesian(sampler, (*uniform)[0], (*uniform)[1], beyond);
   else
     add_mapped(sampler);
 }
 
-void FieldRaster::add_cartesian(const Sampler& sampler, const Point<2>& origin, const Point<2>& spacing) {
+void FieldRaster::add_cartesian(const Sampler& sampler, const Point<2>& origin, const Point<2>& spacing,
+                                bool beyond) {
   const GridSnapshot& grid = sampler.grid;
   struct Column {
     int x, cell;
@@ -155,7 +157,7 @@ void FieldRaster::add_cartesian(const Sampler& sampler, const Point<2>& origin, 
     const Sampler::Line line = sampler.across(logical - 0.5, 1);
     const std::size_t first = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_);
     for (const Column& column : columns) {
-      if (grid.mask[grid.cell(column.cell, row)] == mask_hole) continue;
+      if (!beyond && grid.mask[grid.cell(column.cell, row)] == mask_hole) continue;
       const std::size_t k = first + static_cast<std::size_t>(column.x);
       sampler.add(column.line, line, sum_[k], weight_[k]);
     }

@@ -15,15 +15,16 @@ class FieldRaster {
   explicit FieldRaster(const Axes& axes);
 
   /// Adds a grid. values: one per cell, NaN where there is none (holes at least). priority: weight of this grid in
-  /// the interior of an overlap. Work: pixels covered by the grid, plus its cells.
-  void add(const GridSnapshot& grid, const std::vector<double>& values, double priority);
+  /// the interior of an overlap. beyond: also up to half a cell into holes, with what is beside them. Work: pixels
+  /// covered by the grid, plus its cells.
+  void add(const GridSnapshot& grid, const std::vector<double>& values, double priority, bool beyond = false);
 
   /// Value at pixel (x, y), counted from the top left of the axes; NaN where no grid has data.
   double at(int x, int y) const;
 
  private:
   struct Sampler;
-  void add_cartesian(const Sampler& sampler, const Point<2>& origin, const Point<2>& spacing);
+  void add_cartesian(const Sampler& sampler, const Point<2>& origin, const Point<2>& spacing, bool beyond);
   void add_mapped(const Sampler& sampler);
   void add_cell(const Sampler& sampler, int i, int j);
 

@@ -80,8 +80,13 @@ void draw_solid_edges(Image& image, const Axes& axes, const Snapshot& snapshot, 
 
 void draw_title(Image& image, const Axes& axes, const std::string& title, double time, double unit) {
   const double baseline = axes.y0 - 13 * unit, size = 14 * unit;
-  draw_text(image, axes.x0, baseline, title, size, ink::text);
-  draw_text(image, axes.x1, baseline, "t = " + fixed(time, 4), size, ink::text, Align::right);
+  const std::string when = "t = " + fixed(time, 4);
+  // Beside each other, beyond narrow axes if need be.
+  const double between = text_width(when, size) + 2 * size;
+  const double end = std::clamp(axes.x0 + text_width(title, size) + between, static_cast<double>(axes.x1),
+                                std::max<double>(axes.x1, image.width() - size));
+  draw_label(image, axes.x0, baseline, title, size, end - between - axes.x0, Align::left);
+  draw_text(image, end, baseline, when, size, ink::text, Align::right);
 }
 
 Image render(const Snapshot& snapshot, const RenderOptions& options) {

@@ -21,10 +21,6 @@ int first_centre(double x, int low, int high) {
   return static_cast<int>(std::clamp<double>(std::ceil(x - 0.5), low, high));
 }
 
-struct Pixels {
-  int x0, y0, x1, y1;  // x0 ≤ x < x1, y0 ≤ y < y1
-};
-
 /// Calls visit(x, y, coverage) for the pixels that a segment of that width touches. Coverage falls linearly over the
 /// pixel at the rim; lines thinner than a pixel are faint instead.
 template <class Visit>
@@ -58,6 +54,26 @@ Rgb blend(Rgb a, Rgb b, double t) {
   return {blend(a.red, b.red, t), blend(a.green, b.green, t), blend(a.blue, b.blue, t)};
 }
 
+void for_each_run(const std::vector<Point<2>>& corners, const Pixels& clip,
+                  const std::function<void(int y, int x0, int x1)>& visit) {
+  Box<2> box;
+  for (const Point<2>& corner : corners) box.include(corner);
+  std::vector<double> crossings;
+  for (int y = first_centre(box.low.y(), clip.y0, clip.y1); y < first_centre(box.high.y(), clip.y0, clip.y1); ++y) {
+    const double centre = y + 0.5;
+    crossings.clear();
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const Point<2>*a = &corners[k], *b = &corners[(k + 1) % corners.size()];
+      if (b->y() < a->y()) std::swap(a, b);  // the same arithmetic whichever way the edge runs
+      if (a->y() <= centre && centre < b->y())
+        crossings.push_back(a->x() + (centre - a->y()) / (b->y() - a->y()) * (b->x() - a->x()));
+    }
+    std::sort(crossings.begin(), crossings.end());
+    for (std::size_t k = 0; k + 1 < crossings.size(); k += 2)
+      visit(y, first_centre(crossings[k], clip.x0, clip.x1), first_centre(crossings[k + 1], clip.x0, clip.x1));
+  }
+}
+
 Image::Image(int width, int height, Rgb background)
     : width_(width),
       height_(height),
@@ -73,24 +89,9 @@ void Image::clip_to(int x0, int y0, int x1, int y1) {
 }
 
 void Image::fill_polygon(const std::vector<Point<2>>& corners, Rgb color, double opacity) {
-  Box<2> box;
-  for (const Point<2>& corner : corners) box.include(corner);
-  std::vector<double> crossings;
-  for (int y = first_centre(box.low.y(), clip_y0_, clip_y1_); y < first_centre(box.high.y(), clip_y0_, clip_y1_); ++y) {
-    const double centre = y + 0.5;
-    crossings.clear();
-    for (std::size_t k = 0; k < corners.size(); ++k) {
-      const Point<2>*a = &corners[k], *b = &corners[(k + 1) % corners.size()];
-      if (b->y() < a->y()) std::swap(a, b);  // the same arithmetic whichever way the edge runs
-      if (a->y() <= centre && centre < b->y())
-        crossings.push_back(a->x() + (centre - a->y()) / (b->y() - a->y()) * (b->x() - a->x()));
-    }
-    std::sort(crossings.begin(), crossings.end());
-    for (std::size_t k = 0; k + 1 < crossings.size(); k += 2) {
-      const int end = first_centre(crossings[k + 1], clip_x0_, clip_x1_);
-      for (int x = first_centre(crossings[k], clip_x0_, clip_x1_); x < end; ++x) mix(x, y, color, opacity);
-    }
-  }
+  for_each_run(corners, {clip_x0_, clip_y0_, clip_x1_, clip_y1_}, [&](int y, int x0, int x1) {
+    for (int x = x0; x < x1; ++x) mix(x, y, color, opacity);
+  });
 }
 
 void Image::draw_polyline(const std::vector<Point<2>>& points, double width, Rgb color, bool closed) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,6 +22,16 @@ inline constexpr Rgb white{255, 255, 255}, black{0, 0, 0};
 
 /// a + t (b − a), 0 ≤ t ≤ 1, in sRGB.
 Rgb blend(Rgb a, Rgb b, double t);
+
+/// The pixels x0 ≤ x < x1, y0 ≤ y < y1.
+struct Pixels {
+  int x0, y0, x1, y1;
+};
+
+/// visit(row, first, end) for the runs of pixels within `clip` whose centres lie inside a closed polygon (even-odd
+/// rule).
+void for_each_run(const std::vector<Point<2>>& corners, const Pixels& clip,
+                  const std::function<void(int y, int x0, int x1)>& visit);
 
 class Image {
  public:
