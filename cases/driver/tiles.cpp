@@ -13,20 +13,22 @@ namespace {
 
 /// The map of a body in the manner of a solver, for its tiles; has no rates.
 struct MapTiles {
-  explicit MapTiles(BodyMap& map) : field(map.field()), none(1, std::vector<double>(static_cast<std::size_t>(map.field().tiles()), 0.0)) {}
+  explicit MapTiles(BodyMap& map)
+      : field(map.field()), none(1, std::vector<double>(static_cast<std::size_t>(map.field().tiles()), 0.0)) {}
   std::span<Field<2>> fields() { return {&field, 1}; }
   std::vector<std::vector<double>>& rates() { return none; }
   Field<2>& field;
   std::vector<std::vector<double>> none;
 };
 
-/// Gives a tile of a map memory, or takes it. Ghosts and cells that hold no map say so: maps look beyond what is filled.
+/// Gives a tile of a map memory, or takes it. Ghosts and cells that hold no map say so: maps look beyond what is
+/// filled.
 void hold_map(Field<2>& field, int t, bool held) {
   if (!held) return field.tile(t).release();
   if (field.tile(t).allocated()) return;
   field.allocate(t);
   std::fill_n(field.tile(t).component(2), field.shape().plane, unknown_phi);
-  std::fill_n(field.tile(t).component(3), field.shape().plane, BodyMap::unknown);
+  std::fill_n(field.tile(t).component(3), field.shape().plane, unknown_layer);
 }
 
 /// visit(number of the grid, the grid, components, solver, index of the grid in it) for all grids of a scene.
@@ -39,7 +41,7 @@ void for_each_grid(AnySimulation& simulation, Visit&& visit) {
     if (auto* map = simulation.reference_map())
       for (const auto& body : map->maps()) {
         MapTiles tiles(*body);
-        visit(number++, simulation.fluid().grids().front(), BodyMap::components, tiles, std::size_t{0});
+        visit(number++, simulation.fluid().grids().front(), MapField::components, tiles, std::size_t{0});
       }
   for (const auto& solid : simulation.solids())
     for (std::size_t g = 0; g < solid->grids().size(); ++g)
@@ -135,7 +137,7 @@ std::size_t flow_tile_size(const TileRecords& records, const ComponentGrid<2>& g
   const auto tiles = static_cast<std::size_t>(grid.forest.global_count());
   std::size_t of_maps = 0;
   for (std::size_t k = tiles; k < records.rates.size(); ++k)
-    if (records.keys[3 * k + 2] != 0) of_maps += tile_size(grid, BodyMap::components);
+    if (records.keys[3 * k + 2] != 0) of_maps += tile_size(grid, MapField::components);
   return of_maps > records.values.size() ? 0 : (records.values.size() - of_maps) / tiles;
 }
 
@@ -155,7 +157,7 @@ TileRecords gather_tiles(const IncompressibleSolver& flow, const FlowSolids* sol
   records.values = comm.gather_all(mine);
   const std::vector<double> no_rates(static_cast<std::size_t>(grid.forest.local_count()), 0.0);
   for (std::size_t b = 0; b < map_count(solids); ++b)
-    append<2>(records, b + 1, grid, BodyMap::components, std::as_const(*solids->maps()[b]).field(), no_rates);
+    append<2>(records, b + 1, grid, MapField::components, std::as_const(*solids->maps()[b]).field(), no_rates);
   return records;
 }
 
@@ -170,7 +172,7 @@ bool fits(const TileRecords& records, const IncompressibleSolver& flow, const Fl
     if (records.keys[3 * k] != static_cast<std::int64_t>(k / tiles) ||
         records.keys[3 * k + 1] != static_cast<std::int64_t>(k % tiles))
       return false;
-    if (records.keys[3 * k + 2] != 0) values += k < tiles ? of_flow : tile_size(grid, BodyMap::components);
+    if (records.keys[3 * k + 2] != 0) values += k < tiles ? of_flow : tile_size(grid, MapField::components);
   }
   return values == records.values.size();
 }
@@ -193,9 +195,9 @@ void scatter_tiles(const TileRecords& records, double time, IncompressibleSolver
       const bool allocated = records.keys[3 * k + 2] != 0;
       if (const int t = local(tile); t >= 0) {
         hold_map(field, t, allocated);
-        if (allocated) fill(field.tile(t), grid, BodyMap::components, next);
+        if (allocated) fill(field.tile(t), grid, MapField::components, next);
       }
-      if (allocated) next += tile_size(grid, BodyMap::components);
+      if (allocated) next += tile_size(grid, MapField::components);
     }
     solids->maps()[b]->resume();
   }

@@ -11,9 +11,8 @@
 #include <vector>
 
 #include "mortise/coupler/reference_map/level_set.hpp"
-#include "mortise/coupler/reference_map/map_extension.hpp"
+#include "mortise/coupler/reference_map/map_field.hpp"
 #include "mortise/coupler/reference_map/solid_point.hpp"
-#include "mortise/grids/forest/ghost_exchange.hpp"
 
 namespace mortise {
 
@@ -24,11 +23,6 @@ struct TileVelocity {
 
 class BodyMap {
  public:
-  /// Components of the field: ξ_x, ξ_y, φ(ξ), and the layer: 0 inside, 1, 2, … in the band (half() has one less),
-  /// `unknown` elsewhere.
-  static constexpr int components = 4;
-  static constexpr double unknown = unknown_layer;
-
   using Velocity = std::function<TileVelocity(int tile)>;
 
   struct Setup {
@@ -60,14 +54,12 @@ class BodyMap {
   /// Cells this far (in either direction) from one inside are on tiles of the map.
   int reach() const { return setup_.layers + 1; }
   const SolidLaw& law() const { return setup_.law; }
-  /// At the time of the step's begin, or its end once that is there; and at its half.
-  const Field<2>& field() const { return now_; }
-  Field<2>& field() { return now_; }
-  const Field<2>& half() const { return half_; }
+  /// At the time of the step's begin, or its end once that is there; and at its half, with one layer less.
+  const Field<2>& field() const { return now_.tiles(); }
+  Field<2>& field() { return now_.tiles(); }
+  const Field<2>& half() const { return half_.tiles(); }
   /// The part of a local tile where field() or half() hold anything, ghosts included.
-  const TileWindow& window(int tile, bool half) const {
-    return (half ? half_windows_ : now_windows_)[static_cast<std::size_t>(tile)];
-  }
+  const TileWindow& window(int tile, bool half) const { return (half ? half_ : now_).window(tile); }
   const LevelSet& level_set() const { return *setup_.level_set; }
   /// Cells of the band that could not be continued from any neighbours, in the last step on this rank.
   std::int64_t orphans() const { return orphans_; }
@@ -75,14 +67,10 @@ class BodyMap {
   bool folded() const { return folded_; }
   /// Cells whose map was replaced because it did not keep its volume, over all steps on this rank.
   std::int64_t repaired() const { return repaired_; }
-  std::size_t memory_bytes() const;
+  std::size_t memory_bytes() const { return now_.memory_bytes() + half_.memory_bytes(); }
 
  private:
-  using Windows = std::vector<TileWindow>;  // by local tile
-
-  void clear(Field<2>& field, const Windows& windows) const;
-  void move_windows(Field<2>& field, Windows& windows) const;
-  void advect_tile(int tile, const Field<2>& from, Field<2>& to, const TileVelocity& velocity, double time,
+  void advect_tile(int tile, const MapField& from, MapField& to, const TileVelocity& velocity, double time,
                    double last_layer) const;
   void classify(TileBlock& block, const TileWindow& window) const;
   void measure(TileBlock& block, const TileWindow& window, double first_layer) const;
@@ -91,16 +79,12 @@ class BodyMap {
   void continue_band();
   void fill_band(double largest_jump);
   bool jumps() const;
-  void fill_ghosts(Field<2>& field, const Windows& windows) const;
-  void copy_ghosts(Field<2>& field, int tile, const Index<2>& offset, const TileWindow& window) const;
-  void fill_ghosts_beyond(TileBlock& block, const Index<2>& outward, const TileWindow& window) const;
   Pack determinant(const TileBlock& block, std::size_t k) const;
-  bool admissible(const Field<2>& field, const Windows& windows) const;
+  bool admissible(const MapField& field) const;
 
   Setup setup_;
   const ComponentGrid<2>& grid_;
-  Field<2> now_, half_;
-  Windows now_windows_, half_windows_;
+  MapField now_, half_;
   GhostExchange<2> exchange_;
   std::int64_t orphans_ = 0, repaired_ = 0;
   bool folded_ = false;

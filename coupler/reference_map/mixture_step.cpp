@@ -41,8 +41,8 @@ Maps maps_of(const TileBlock& block) {
 
 /// A cell and its four neighbours hold ξ.
 MORTISE_INLINE bool holds(const double* layer, std::ptrdiff_t s) {
-  return layer[0] < BodyMap::unknown && layer[-1] < BodyMap::unknown && layer[1] < BodyMap::unknown &&
-         layer[-s] < BodyMap::unknown && layer[s] < BodyMap::unknown;
+  return layer[0] < unknown_layer && layer[-1] < unknown_layer && layer[1] < unknown_layer &&
+         layer[-s] < unknown_layer && layer[s] < unknown_layer;
 }
 
 template <Limiter limiter>

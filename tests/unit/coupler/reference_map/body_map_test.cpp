@@ -218,7 +218,7 @@ TEST(BodyMap, MemoryIsThatOfTheTilesNearTheBody) {
   }
   EXPECT_LE(held, 12);
   EXPECT_EQ(scene.map->memory_bytes(),
-            static_cast<std::size_t>(held) * TileBlock(scene.grid.shape.plane, BodyMap::components).bytes());
+            static_cast<std::size_t>(held) * TileBlock(scene.grid.shape.plane, MapField::components).bytes());
 }
 
 TEST(LevelSet, IsTheDistance) {
