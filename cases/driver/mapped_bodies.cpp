@@ -46,22 +46,28 @@ Point<2> center_of(const MappedSolid& solid, int t, const Index<2>& c) {
 
 constexpr double everywhere = 1e20;  // less than φ of cells without a map
 
-/// visit(tile, local index, offset, cell) for the cells on this rank that hold the map and have φ below `level`, but
-/// those of its outermost layer.
+/// visit(local index, offset, cell) for the cells of a tile that hold the map and have φ below `level`, but those of
+/// its outermost layer.
+template <class Visit>
+void for_each_mapped_cell_of(const MappedSolid& solid, int t, double level, Visit&& visit) {
+  const TileShape<2>& shape = solid.grid->shape;
+  const TileBlock& map = solid.map->field().tile(t);
+  if (!map.allocated()) return;
+  const TileWindow window = solid.map->window(t, false) & tile_cells(shape);
+  for (int j = window.low[1]; j < window.high[1]; ++j)
+    for (int i = window.low[0]; i < window.high[0]; ++i) {
+      const std::size_t k = shape.at(i, j);
+      if (map.component(3)[k] < solid.map->layers() && map.component(2)[k] < level)
+        visit(Index<2>{i, j}, k, cell_of(solid, t, k));
+    }
+}
+
+/// visit(tile, local index, offset, cell), for all tiles on this rank.
 template <class Visit>
 void for_each_mapped_cell(const MappedSolid& solid, double level, Visit&& visit) {
-  const TileShape<2>& shape = solid.grid->shape;
-  for (int t = 0; t < solid.grid->forest.local_count(); ++t) {
-    const TileBlock& map = solid.map->field().tile(t);
-    if (!map.allocated()) continue;
-    const TileWindow window = solid.map->window(t, false) & tile_cells(shape);
-    for (int j = window.low[1]; j < window.high[1]; ++j)
-      for (int i = window.low[0]; i < window.high[0]; ++i) {
-        const std::size_t k = shape.at(i, j);
-        if (map.component(3)[k] < solid.map->layers() && map.component(2)[k] < level)
-          visit(t, Index<2>{i, j}, k, cell_of(solid, t, k));
-      }
-  }
+  for (int t = 0; t < solid.grid->forest.local_count(); ++t)
+    for_each_mapped_cell_of(solid, t, level,
+                            [&](const Index<2>& c, std::size_t k, const MappedCell& cell) { visit(t, c, k, cell); });
 }
 
 constexpr double lines_across = 8;    // of the contours, over the mean width of a body
@@ -86,9 +92,10 @@ std::vector<MappedSolid> mapped_solids(const Simulation<2>& simulation) {
   for (std::size_t b = 0; b < scene->maps().size(); ++b)
     all.push_back({scene->setup().bodies[b].name, &simulation.fluid().grids().front(), scene->maps()[b].get(),
                    scene->setup().bodies[b].material, scene->setup().blur,
-                   [&simulation](int t, std::size_t k) -> Point<2> {
+                   [&simulation](int t, std::size_t k) -> CellVelocities {
                      const TileBlock& U = simulation.fluid().fields().front().tile(t);
-                     return Point<2>(U.component(1)[k], U.component(2)[k]) / U.component(0)[k];
+                     const Pack density = load(U.component(0) + k);
+                     return {load(U.component(1) + k) / density, load(U.component(2) + k) / density};
                    }});
   return all;
 }
@@ -99,8 +106,10 @@ std::vector<MappedSolid> mapped_solids(const FlowSolids& solids, const Incompres
     const FlowBody& body = solids.setup().bodies[b];
     all.push_back({body.name, &flow.grid(), solids.maps()[b].get(),
                    Material{StressLaw::neo_hookean, body.density, 0, body.shear_modulus},
-                   solids.setup().blur * flow.grid().spacing.minCoeff(), [&flow](int t, std::size_t k) -> Point<2> {
-                     return {flow.velocity().tile(t).component(0)[k], flow.velocity().tile(t).component(1)[k]};
+                   solids.setup().blur * flow.grid().spacing.minCoeff(),
+                   [&flow](int t, std::size_t k) -> CellVelocities {
+                     const TileBlock& v = flow.velocity().tile(t);
+                     return {load(v.component(0) + k), load(v.component(1) + k)};
                    }});
   }
   return all;
@@ -155,27 +164,56 @@ void add_mapped_solid(const MappedSolid& solid, bool contours, Snapshot& snapsho
   if (contours) add_contours(solid, samples, snapshot);
 }
 
+namespace {
+
+/// m, m x, m v, m x × v and kinetic energy of the cells of a tile.
+std::array<double, 7> moments(const MappedSolid& solid, int t) {
+  const ComponentGrid<2>& grid = *solid.grid;
+  const TileBlock& map = solid.map->field().tile(t);
+  const TileWindow window = solid.map->window(t, false) & tile_cells(grid.shape);
+  const double density = solid.material.density * grid.spacing.prod();
+  Pack step{};
+  for (int l = 0; l < simd_width; ++l) step[l] = l * grid.spacing.x();
+  std::array<Pack, 7> sums{};
+  for (int j = window.low[1]; j < window.high[1]; ++j)
+    for (int i = window.low[0]; i < window.high[0]; i += simd_width) {
+      const std::size_t k = grid.shape.at(i, j);
+      const Pack phi = load(map.component(2) + k), det = map_determinant(map, k, grid.shape.stride, grid.spacing);
+      const PackMask own = (load(map.component(3) + k) < solid.map->layers()) & (phi < solid.blur) & (det > 0) &
+                           lanes_below(window.high[0] - i);
+      if (!any(own)) continue;
+      const Pack m = select(own, Pack(density * (solid_share(phi, 1 / solid.blur) * det)), Pack{});
+      const Point<2> corner = center_of(solid, t, {i, j});
+      const Pack x = corner.x() + step, y = broadcast(corner.y());
+      const auto [u, v] = solid.velocities(t, k);
+      const std::array<Pack, 7> values{Pack{} + 1.0, x, y, u, v, x * v - y * u, 0.5 * (u * u + v * v)};
+      for (std::size_t n = 0; n < values.size(); ++n) sums[n] += select(own, Pack(m * values[n]), Pack{});
+    }
+  std::array<double, 7> sum{};
+  for (std::size_t n = 0; n < sum.size(); ++n)
+    for (int l = 0; l < simd_width; ++l) sum[n] += sums[n][l];
+  return sum;
+}
+
+}  // namespace
+
 SolidTotals totals(const MappedSolid& solid, bool with_stress) {
   const double volume = solid.grid->spacing.prod();
   double von_mises = 0;
-  TileSums<8> sums;  // m, m x, m v, m x × v, kinetic and strain energy
-  std::array<double, 8>* sum = nullptr;
-  int tile = -1;
-  for_each_mapped_cell(solid, solid.blur, [&](int t, const Index<2>& c, std::size_t, const MappedCell& cell) {
-    if (t != tile) sum = &sums.add_tile(0, solid.grid->forest.first_global() + t);
-    tile = t;
-    const double share = solid_share(cell.phi, 1 / solid.blur), det = cell.map_gradient.determinant();
-    if (share == 0 || !(det > 0)) return;
-    const Point<2> x = center_of(solid, t, c), v = cell.velocity;
-    const double reference = share * det * volume, m = solid.material.density * reference;
-    const std::array<double, 7> moments{
-        m, m * x.x(), m * x.y(), m * v.x(), m * v.y(), m * (x.x() * v.y() - x.y() * v.x()), 0.5 * m * v.squaredNorm()};
-    for (std::size_t k = 0; k < moments.size(); ++k) (*sum)[k] += moments[k];
-    if (!with_stress) return;
-    const ElasticState state = state_of(cell, x);
-    if (cell.phi < 0) von_mises = std::max(von_mises, cauchy_stress_of(solid.material, state).von_mises());
-    (*sum)[7] += reference * strain_energy_of(solid.material, state);
-  });
+  TileSums<8> sums;  // moments(), strain energy
+  for (int t = 0; t < solid.grid->forest.local_count(); ++t) {
+    if (!solid.map->field().tile(t).allocated()) continue;
+    std::array<double, 8>& sum = sums.add_tile(0, solid.grid->forest.first_global() + t);
+    std::ranges::copy(moments(solid, t), sum.begin());
+    if (!with_stress) continue;
+    for_each_mapped_cell_of(solid, t, solid.blur, [&](const Index<2>& c, std::size_t, const MappedCell& cell) {
+      const double det = cell.map_gradient.determinant();
+      if (!(det > 0)) return;
+      const ElasticState state = state_of(cell, center_of(solid, t, c));
+      if (cell.phi < 0) von_mises = std::max(von_mises, cauchy_stress_of(solid.material, state).von_mises());
+      sum[7] += solid_share(cell.phi, 1 / solid.blur) * det * volume * strain_energy_of(solid.material, state);
+    });
+  }
   const Communicator& comm = solid.grid->forest.communicator();
   return totals_of(sums.total(comm), comm.max(von_mises));
 }

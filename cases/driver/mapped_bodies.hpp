@@ -14,14 +14,24 @@
 
 namespace mortise {
 
+/// Of several cells in a row.
+struct CellVelocities {
+  Pack u, v;
+};
+
 /// One of them; a view.
 struct MappedSolid {
   std::string name;
   const ComponentGrid<2>* grid;
   const BodyMap* map;
   Material material;
-  double blur;                                                   // half width of the blur zone, a length
-  std::function<Point<2>(int tile, std::size_t cell)> velocity;  // of a cell, ghosts included
+  double blur;                                                            // half width of the blur zone, a length
+  std::function<CellVelocities(int tile, std::size_t first)> velocities;  // of the cells from `first` on, also ghosts
+
+  Point<2> velocity(int tile, std::size_t cell) const {
+    const CellVelocities all = velocities(tile, cell);
+    return {all.u[0], all.v[0]};
+  }
 };
 
 /// In the order of the case file; none where there is no reference map.

@@ -13,7 +13,8 @@
 namespace mortise {
 namespace {
 
-constexpr double band = 14;  // cells around the outline in which the level set is tabulated
+// Cells around the outline in which the level set is tabulated: as far as blur zones reach in compressed material.
+constexpr double band = 6;
 
 }  // namespace
 

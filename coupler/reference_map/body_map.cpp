@@ -177,7 +177,8 @@ bool BodyMap::repair() {
 }
 
 /// ξ(x) ← ξ(x − d), d = τ v(x − ½τ v(x)), by the biquadratic through 9 cells, in the body and `last_layer` layers;
-/// where those 9 are not of one part of the body by upwind differences within the part.
+/// where those 9 are not of one part of the body by upwind differences within the part. Other cells of the window hold
+/// nothing from now on.
 void BodyMap::advect_tile(int tile, const MapField& field, MapField& to_field, const TileVelocity& velocity,
                           double time, double last_layer) const {
   const TileShape<2>& shape = grid_.shape;
@@ -191,8 +192,11 @@ void BodyMap::advect_tile(int tile, const MapField& field, MapField& to_field, c
     const double* layer = from.component(3) + k;
     const double *u = velocity.u + j * s, *v = velocity.v + j * s;
     for (int i = window.low[0]; i < window.high[0]; i += simd_width) {
+      const PackMask own = lanes_below(window.high[0] - i);
+      MapField::empty(to, k + static_cast<std::size_t>(i), own);
       const Pack here = load(layer + i);
-      const PackMask moves = (here < last_layer + 0.5) & lanes_below(window.high[0] - i);
+      const PackMask moves = own & (here < last_layer + 0.5);
+      if (!any(moves)) continue;
       const auto shifted = [&](const double* q) {  // τ/h q, at the middle of the way
         const Pack dx = cx * load(u + i), dy = cy * load(v + i);
         return load(q + i) -
@@ -238,7 +242,6 @@ bool BodyMap::drift_to_half(double time, const Velocity& velocity) {
 }
 
 bool BodyMap::drift_to_end(double time, const Velocity& velocity) {
-  now_.clear();
   for (const int t : half_.held()) {
     advect_tile(t, half_, now_, velocity(t), time, 3);
     classify(now_.tile(t), now_.cells(t));

@@ -15,39 +15,39 @@ LevelSet::LevelSet(const Outline& outline, double spacing, double margin) : inve
   values_.reserve(static_cast<std::size_t>(cells_[0] + 1) * static_cast<std::size_t>(cells_[1] + 1));
   for (int j = 0; j <= cells_[1]; ++j)
     for (int i = 0; i <= cells_[0]; ++i)
-      values_.push_back(outline.tree().nearest(box_.low + spacing * Point<2>(i, j)).distance);
+      values_.push_back(static_cast<float>(outline.tree().nearest(box_.low + spacing * Point<2>(i, j)).distance));
 }
 
 namespace {
-
-/// Lowest node of the cell of a table that holds places u ≥ 0, and the place in it.
-MORTISE_INLINE double whole(double u, int cells) { return std::min(std::trunc(u), static_cast<double>(cells - 1)); }
-MORTISE_INLINE Pack whole(Pack u, int cells) {
-  for (int k = 0; k < simd_width; ++k) u[k] = static_cast<double>(static_cast<int>(u[k]));
-  return min(u, broadcast(cells - 1));
-}
 
 template <class T>
 struct Corners {
   T sw, se, nw, ne;
 };
-template <class T>
-MORTISE_INLINE Corners<T> corners(const double* values, std::ptrdiff_t row, T i, T j) {
-  Corners<T> c;
-  for (int k = 0; k < lanes<T>; ++k) {
-    const double* node =
-        values + static_cast<std::ptrdiff_t>(lane(j, k)) * row + static_cast<std::ptrdiff_t>(lane(i, k));
-    set_lane(c.sw, k, node[0]), set_lane(c.se, k, node[1]);
-    set_lane(c.nw, k, node[row]), set_lane(c.ne, k, node[row + 1]);
+
+/// Values at the corners of the cells whose lowest nodes are these.
+MORTISE_INLINE Corners<double> corners(const float* values, std::ptrdiff_t row, double i, double j) {
+  const float* const node = values + static_cast<std::ptrdiff_t>(j) * row + static_cast<std::ptrdiff_t>(i);
+  return {node[0], node[1], node[row], node[row + 1]};
+}
+MORTISE_INLINE Corners<Pack> corners(const float* values, std::ptrdiff_t row, Pack i, Pack j) {
+  const LaneIntegers at = integers(j * static_cast<double>(row) + i);
+  using Singles = float __attribute__((vector_size(simd_width * sizeof(float))));
+  Corners<Singles> c;
+  for (int k = 0; k < simd_width; ++k) {
+    const float* const node = values + at[k];
+    c.sw[k] = node[0], c.se[k] = node[1], c.nw[k] = node[row], c.ne[k] = node[row + 1];
   }
-  return c;
+  return {__builtin_convertvector(c.sw, Pack), __builtin_convertvector(c.se, Pack), __builtin_convertvector(c.nw, Pack),
+          __builtin_convertvector(c.ne, Pack)};
 }
 
 /// Bilinear in the table, from the place in units of its spacing.
 template <class T>
-MORTISE_INLINE T sampled(const double* values, const Index<2>& cells, double spacing, T u, T v) {
+MORTISE_INLINE T sampled(const float* values, const Index<2>& cells, double spacing, T u, T v) {
   const T zero{}, cu = min(max(u, zero), T(zero + cells[0])), cv = min(max(v, zero), T(zero + cells[1]));
-  const T i = whole(cu, cells[0]), j = whole(cv, cells[1]), a = cu - i, b = cv - j;
+  const T i = min(whole(cu), T(zero + (cells[0] - 1))), j = min(whole(cv), T(zero + (cells[1] - 1)));
+  const T a = cu - i, b = cv - j;
   const Corners<T> c = corners(values, cells[0] + 1, i, j);
   const T below = c.sw + a * (c.se - c.sw), above = c.nw + a * (c.ne - c.nw);
   return (below + b * (above - below)) + spacing * (abs(T(u - cu)) + abs(T(v - cv)));

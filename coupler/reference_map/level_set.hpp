@@ -7,7 +7,8 @@
 
 namespace mortise {
 
-/// φ < 0 inside. Exact at the nodes of a table, bilinear between them.
+/// φ < 0 inside. Exact at the nodes of a table but for single precision, bilinear between them: what many bodies look
+/// up in every step has to fit into caches.
 class LevelSet {
  public:
   /// `spacing` of the table, which reaches `margin` beyond the outline; lengths.
@@ -17,13 +18,13 @@ class LevelSet {
   double operator()(double x, double y) const;
   Pack operator()(Pack x, Pack y) const;
   const Box<2>& box() const { return box_; }  // of the table
-  std::size_t memory_bytes() const { return values_.size() * sizeof(double); }
+  std::size_t memory_bytes() const { return values_.size() * sizeof(float); }
 
  private:
   Box<2> box_;
   double inverse_spacing_;
   Index<2> cells_;
-  std::vector<double> values_;  // at nodes, x fastest
+  std::vector<float> values_;  // at nodes, x fastest
 };
 
 /// 1 − H_w(φ), H_w(φ) = ½ (1 + φ/w + sin(πφ/w)/π) for |φ| < w, 0 below and 1 above: the share of the solid (Rycroft,

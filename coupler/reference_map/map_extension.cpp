@@ -112,10 +112,12 @@ int extend_layer(const TileShape<2>& shape, const TileWindow& window, int number
       const std::size_t at = shape.at(i, j);
       double *const x = map.component(0) + at, *const y = map.component(1) + at, *const layer = map.component(3) + at;
       const Pack here = load(layer);
+      const PackMask open = (here == unknown_layer) & lanes_below(window.high[0] - i);
+      if (!any(open)) continue;
       Pack least = min(min(load(layer - 1), load(layer + 1)), min(load(layer - s), load(layer + s)));
       least =
           min(least, min(min(load(layer - s - 1), load(layer - s + 1)), min(load(layer + s - 1), load(layer + s + 1))));
-      const PackMask wanted = (here == unknown_layer) & (least < n) & lanes_below(window.high[0] - i);
+      const PackMask wanted = open & (least < n);
       if (!any(wanted)) continue;
       const Moments m =
           largest_jump > 0

@@ -57,18 +57,15 @@ void MapField::widen() {
   for (const int t : held()) windows_[index(t)] = tile_cells_and_ghosts(grid_.shape);
 }
 
-void MapField::clear() {
-  for (const int t : held()) clear(t, window(t));
-}
-
 void MapField::take_place_of(const MapField& other) {
-  clear();
-  windows_ = other.windows_;
   for (int t = 0; t < field_.tiles(); ++t)
     if (!other.tile(t).allocated())
       tile(t).release();
     else if (!tile(t).allocated())
       hold(t);
+    else if (window(t) != other.window(t))
+      clear(t, window(t));
+  windows_ = other.windows_;
 }
 
 void MapField::keep_inside() {

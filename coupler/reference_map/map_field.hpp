@@ -34,9 +34,8 @@ class MapField {
   void hold(int t);
   /// Windows of tiles that hold the map are as large as these.
   void widen();
-  /// The same tiles and windows as another one's.
+  /// The same tiles and windows as another one's. Where a window stays, its cells keep what they hold.
   void take_place_of(const MapField& other);
-  void clear();
   /// Cells of the windows that are not inside hold nothing from now on.
   void keep_inside();
   /// Tiles within `reach` cells of cells inside hold the map, no others. Collective.

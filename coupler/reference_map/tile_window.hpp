@@ -13,6 +13,7 @@ namespace mortise {
 struct TileWindow {
   Index<2> low{0, 0}, high{0, 0};
 
+  bool operator==(const TileWindow&) const = default;
   bool empty() const { return low[0] >= high[0] || low[1] >= high[1]; }
   /// Common cells; empty where there are none.
   TileWindow operator&(const TileWindow& other) const {

@@ -138,6 +138,12 @@ MORTISE_INLINE double lane(Pack x, int k) { return x[k]; }
 MORTISE_INLINE void set_lane(double& x, int, double value) { x = value; }
 MORTISE_INLINE void set_lane(Pack& x, int k, double value) { x[k] = value; }
 
+/// Integers from doubles |x| < 2³¹, towards zero; and that as doubles.
+using LaneIntegers = std::int32_t __attribute__((vector_size(simd_width * sizeof(std::int32_t))));
+MORTISE_INLINE LaneIntegers integers(Pack x) { return __builtin_convertvector(x, LaneIntegers); }
+MORTISE_INLINE Pack whole(Pack x) { return __builtin_convertvector(integers(x), Pack); }
+MORTISE_INLINE double whole(double x) { return static_cast<double>(static_cast<std::int32_t>(x)); }
+
 /// Lane k is true if k < count.
 MORTISE_INLINE PackMask lanes_below(int count) {
   PackMask index{};
