@@ -50,6 +50,15 @@ std::vector<double> spectrum(std::vector<double>& samples) {
   return sizes;
 }
 
+/// The root mean square of the deviations from the mean.
+double deviation(const std::vector<double>& samples) {
+  double sum = 0, squares = 0;
+  for (const double sample : samples) sum += sample;
+  const double mean = sum / static_cast<double>(samples.size());
+  for (const double sample : samples) squares += (sample - mean) * (sample - mean);
+  return std::sqrt(squares / static_cast<double>(samples.size()));
+}
+
 }  // namespace
 
 Oscillation oscillation_of(std::span<const double> times, std::span<const double> values,
@@ -84,8 +93,15 @@ Oscillation oscillation_of(std::span<const double> times, std::span<const double
   }
   found.mean = sum / (0.5 * n);
   if (found.half_range <= still * largest) return found;
+  found.rms_amplitude = std::numbers::sqrt2 * deviation(samples);
   for (std::size_t k = 0; k < count; ++k) samples[k] = hann[k] * (samples[k] - found.mean);
   const std::vector<double> lines = spectrum(samples);
+  double power = 0, moment = 0;
+  for (std::size_t k = 1; k < lines.size(); ++k) {
+    power += lines[k] * lines[k];
+    moment += static_cast<double>(k) * lines[k] * lines[k];
+  }
+  if (power > 0) found.mean_frequency = moment / power / (end - begin);
   const auto peak = std::max_element(lines.begin() + least_bin, lines.end() - 1);
   if (!(*peak > 0)) return found;
   const bool above = *(peak + 1) > *(peak - 1);

@@ -12,6 +12,9 @@ struct Oscillation {
   double amplitude = 0;   // of the dominant harmonic, peak; 0 where nothing moves
   double frequency = 0;   // of the same, cycles per time
   double half_range = 0;  // (max − min)/2 of the history itself
+  // Of all there is, for what moves irregularly; of a single sine the same as amplitude and frequency.
+  double rms_amplitude = 0;   // √2 times the root mean square of the deviation from its mean
+  double mean_frequency = 0;  // of the harmonics, weighted with the squares of their amplitudes
 };
 
 /// Of `values` at `times` (equally many, increasing, steps may differ) within window[0] ≤ t ≤ window[1], which the

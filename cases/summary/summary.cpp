@@ -43,7 +43,9 @@ Json to_json(const OscillationSummary& found) {
           {"mean", found.oscillation.mean},
           {"amplitude", found.oscillation.amplitude},
           {"frequency", found.oscillation.frequency},
-          {"half_range", found.oscillation.half_range}};
+          {"half_range", found.oscillation.half_range},
+          {"rms_amplitude", found.oscillation.rms_amplitude},
+          {"mean_frequency", found.oscillation.mean_frequency}};
 }
 
 template <class Item>

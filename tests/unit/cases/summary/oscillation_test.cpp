@@ -45,6 +45,8 @@ TEST(Oscillation, FindsASineWhereverItLiesBetweenTheLines) {
       EXPECT_NEAR(found.amplitude, 0.12, 1e-4) << periods;
       EXPECT_NEAR(found.mean, 0.3, 1e-4) << periods;
       EXPECT_NEAR(found.half_range, 0.12, 1e-4) << periods;
+      EXPECT_NEAR(found.rms_amplitude, 0.12, 0.003) << periods;
+      EXPECT_NEAR(found.mean_frequency, frequency, 1e-3 * frequency) << periods;
     }
 }
 
@@ -57,6 +59,8 @@ TEST(Oscillation, TakesTheLargestOfSeveralAndLeavesOutWhatIsOutsideOfTheWindow) 
   EXPECT_NEAR(found.amplitude, 0.1, 1e-3);
   EXPECT_GT(found.half_range, 0.11);
   EXPECT_LT(found.half_range, 0.16);
+  EXPECT_NEAR(found.rms_amplitude, std::sqrt(0.02 * 0.02 + 0.1 * 0.1 + 0.04 * 0.04), 1e-3);
+  EXPECT_NEAR(found.mean_frequency, (0.43 * 0.0004 + 0.871 * 0.01 + 1.742 * 0.0016) / 0.012, 1e-3);
 }
 
 TEST(Oscillation, FewPeriodsAreGoodToAThousandth) {
@@ -72,6 +76,8 @@ TEST(Oscillation, OfWhatDoesNotMoveIsNone) {
     EXPECT_EQ(found.amplitude, 0);
     EXPECT_EQ(found.frequency, 0);
     EXPECT_EQ(found.half_range, 0);
+    EXPECT_EQ(found.rms_amplitude, 0);
+    EXPECT_EQ(found.mean_frequency, 0);
   }
 }
 
