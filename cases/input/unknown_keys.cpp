@@ -49,9 +49,12 @@ void check(const Node& node, const std::string& path, const std::string& pattern
   for (const Node& member : node.items) {
     if (std::find(allowed.begin(), allowed.end(), member.name) == allowed.end()) {
       const std::string similar = guess(member.name, allowed, known);
-      throw InputError(
-          member.key_place + ": unknown key \"" + member.name + "\"" + (path.empty() ? "" : " in " + path) +
-          (similar.empty() ? "" : ", did you mean \"" + similar + "\"?") + " (known: " + joined(allowed) + ")");
+      throw InputError(member.key_place + ": unknown key \"" + member.name + "\"" +
+                       (path.empty() ? "" : " in " + path) +
+                       (similar.empty()          ? ""
+                        : similar == member.name ? ", which belongs before the first [table]"
+                                                 : ", did you mean \"" + similar + "\"?") +
+                       " (known: " + joined(allowed) + ")");
     }
     const std::string dot = path.empty() ? "" : ".";
     check(member, path + dot + member.name, pattern + dot + member.name, known);

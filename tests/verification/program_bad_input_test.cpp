@@ -86,6 +86,7 @@ TEST_P(BadInput, RunAndCheckRefuse) {
 std::vector<Mistake> mistakes() {
   return {
       {"misspelt_key", sets({"time.clf=0.5"}), {"--set time.clf=0.5", "unknown key \"clf\"", "did you mean \"cfl\"?"}},
+      {"key_in_a_table", sets({"initial.gravity=[0, -1]"}), {"\"gravity\" in initial, which belongs before"}},
       {"misspelt_table", sets({"tiem.end=1"}), {"unknown key \"tiem\"", "did you mean \"time\"?"}},
       {"unknown_key", sets({"qqqqqqqqqqqq=3"}), {"unknown key \"qqqqqqqqqqqq\"", "(known: title"}},
       {"no_such_body", sets({"bodies.2.density=1"}), {"there is no entry 2 in bodies"}},
