@@ -10,7 +10,6 @@
 #include "mortise/solid/elastic_measures.hpp"
 
 namespace mortise {
-namespace {
 
 /// Errors of N quantities in one cell.
 template <std::size_t N>
@@ -19,6 +18,8 @@ struct CellError {
   double volume;
   std::array<double, N> error;
 };
+
+namespace {
 
 /// Norms over the cells of all ranks, summed in the order of grids and cells. Collective.
 template <std::size_t N>

@@ -5,7 +5,7 @@
 namespace mortise {
 namespace {
 
-constexpr double most_solid_share = 0.5;  // cells with more are drawn as solid
+constexpr double drawn_as_solid = 0.5;  // cells with a larger share of solid
 constexpr std::array<const char*, 4> field_names = {"velocity_x", "velocity_y", "vorticity", "pressure"};
 
 struct Record {
@@ -29,7 +29,7 @@ std::vector<Record> records_of(const IncompressibleSolver& flow, const std::vect
         share += solid_share(solid.map->field().tile(t).component(2)[k], 1 / solid.blur);
     mine.push_back({static_cast<std::int64_t>(index),
                     {*u, *v, curl, 0.25 * (p[0] + p[1] + p[s] + p[s + 1])},
-                    share > most_solid_share});
+                    share > drawn_as_solid});
   });
   return mine;
 }

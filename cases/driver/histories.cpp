@@ -13,7 +13,7 @@ namespace {
 const std::vector<std::string> body_columns = {"t",  "body",  "x",  "y",  "angle", "vx",
                                                "vy", "omega", "fx", "fy", "torque"};
 const std::vector<std::string> probe_columns = {"t", "probe", "density", "velocity_x", "velocity_y", "pressure"};
-const std::vector<std::string> solid_columns = {
+const std::vector<std::string> solid_probe_columns = {
     "t",          "probe",      "x",         "y",         "displacement_x", "displacement_y",
     "velocity_x", "velocity_y", "stress_xx", "stress_xy", "stress_yy"};
 const std::vector<std::string> interface_columns = {"t",       "interface", "x_min",    "x_max",      "y_min",
@@ -74,7 +74,7 @@ void Histories<Dim>::open(const std::string& directory, std::optional<double> re
   if (has_bodies_) start(bodies_, "/bodies.csv", body_columns);
   if (!fluid_probes_.names.empty()) start(probes_, "/probes.csv", probe_columns);
   if (std::any_of(solid_probes_.begin(), solid_probes_.end(), in_solid))
-    start(solids_, "/solid_probes.csv", solid_columns);
+    start(solids_, "/solid_probes.csv", solid_probe_columns);
   if (has_interfaces_) start(interfaces_, "/interface.csv", interface_columns);
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "mortise/cases/exact/annulus_mode.hpp"
 #include "mortise/cases/exact/deforming_diffuser.hpp"
@@ -21,8 +20,6 @@ namespace mortise {
 namespace {
 
 using Made = std::unique_ptr<ExactSolution<2>>;
-
-constexpr double radians = std::numbers::pi / 180;
 
 LoadLaw load_of(const CaseDescription& c) {
   return c.coupling.load == "current" ? LoadLaw::current_area : LoadLaw::reference_area;
@@ -44,7 +41,7 @@ ElasticPistonProblem beside_a_wall(const CaseDescription& c) {
   problem.p_inf = c.p_inf;
   problem.reference_pressure = c.coupling.reference_pressure;
   problem.length = c.solids[0].thickness;
-  problem.angle = c.layer.angle * radians;
+  problem.angle = c.layer.angle * radians_per_degree;
   problem.time_end = c.time_end;
   return problem;
 }
@@ -83,7 +80,7 @@ Made elastic_piston_shock(const CaseDescription& c) {
   problem.reference_pressure = c.coupling.reference_pressure;
   problem.length = c.solids[0].thickness;
   problem.back = back == "fixed" ? SolidBack::fixed : back == "free" ? SolidBack::free : SolidBack::open;
-  problem.angle = c.layer.angle * radians;
+  problem.angle = c.layer.angle * radians_per_degree;
   return std::make_unique<ElasticPistonShock>(problem);
 }
 
@@ -144,7 +141,8 @@ Made radial_reference(const CaseDescription& c) {
 Made plane_waves(const CaseDescription& c) {
   const SolidInitialDescription& wave = c.solids[0].initial;
   const PlaneWaveKind kind = wave.wave == "shear" ? PlaneWaveKind::shear : PlaneWaveKind::pressure;
-  const PlaneWave plane{kind, WaveProfile::sine, wave.angle * radians, wave.amplitude, wave.position, wave.length};
+  const PlaneWave plane{kind,           WaveProfile::sine, wave.angle * radians_per_degree,
+                        wave.amplitude, wave.position,     wave.length};
   return std::make_unique<PlaneWaves>(material_of(c.solids[0]), std::vector<PlaneWave>{plane});
 }
 

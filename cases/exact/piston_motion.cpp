@@ -12,7 +12,7 @@ namespace {
 constexpr int steps_covered = 4096;
 
 const double root6 = std::sqrt(6.0);
-const Eigen::Vector3d nodes{(4 - root6) / 10, (4 + root6) / 10, 1};
+const Eigen::Vector3d radau_nodes{(4 - root6) / 10, (4 + root6) / 10, 1};
 const Eigen::Matrix3d radau{{(88 - 7 * root6) / 360, (296 - 169 * root6) / 1800, (-2 + 3 * root6) / 225},
                             {(296 + 169 * root6) / 1800, (88 + 7 * root6) / 360, (-2 - 3 * root6) / 225},
                             {(16 - root6) / 36, (16 + root6) / 36, 1.0 / 9}};
@@ -21,7 +21,9 @@ const Eigen::Matrix3d radau{{(88 - 7 * root6) / 360, (296 - 169 * root6) / 1800,
 Eigen::Vector3d cubic_through(const Eigen::Vector3d& values) {
   static const Eigen::Matrix3d inverse = [] {
     Eigen::Matrix3d vandermonde;
-    for (int i = 0; i < 3; ++i) vandermonde.row(i) << nodes[i], nodes[i] * nodes[i], nodes[i] * nodes[i] * nodes[i];
+    for (int i = 0; i < 3; ++i)
+      vandermonde.row(i) << radau_nodes[i], radau_nodes[i] * radau_nodes[i],
+          radau_nodes[i] * radau_nodes[i] * radau_nodes[i];
     return Eigen::Matrix3d(vandermonde.inverse());
   }();
   return inverse * values;
@@ -83,14 +85,14 @@ Eigen::Vector3d PistonMotion::free_stages(double t, double v) const {
   if (!steps_.empty()) {  // the last cubic, continued
     const Step& last = steps_.back();
     for (int i = 0; i < 3; ++i) {
-      const double theta = 1 + nodes[i];
+      const double theta = 1 + radau_nodes[i];
       stages[i] = last.velocity + theta * (last.slopes[0] + theta * (last.slopes[1] + theta * last.slopes[2]));
     }
   }
   for (int iteration = 0; iteration < 50; ++iteration) {
     Eigen::Vector3d force, impedance;
     for (int i = 0; i < 3; ++i) {
-      const WallResponse response = net_force(t + nodes[i] * step_, stages[i]);
+      const WallResponse response = net_force(t + radau_nodes[i] * step_, stages[i]);
       force[i] = response.pressure;
       impedance[i] = response.impedance;
     }
@@ -105,7 +107,7 @@ Eigen::Vector3d PistonMotion::free_stages(double t, double v) const {
 }
 
 Eigen::Vector3d PistonMotion::prescribed_stages(double t) const {
-  return nodes.unaryExpr([&](double c) { return derivative(problem_.displacement, t + c * step_, difference_); });
+  return radau_nodes.unaryExpr([&](double c) { return derivative(problem_.displacement, t + c * step_, difference_); });
 }
 
 std::pair<const PistonMotion::Step*, double> PistonMotion::locate(double t) const {

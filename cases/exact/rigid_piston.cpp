@@ -23,12 +23,6 @@ const BodyDescription& piston_body(const CaseDescription& description) {
   return body;
 }
 
-/// The formula of t; an empty one is no function.
-std::function<double(double)> function_of_time(const std::string& formula) {
-  if (formula.empty()) return {};
-  return [expression = Expression(formula, {"t"})](double t) { return expression(t); };
-}
-
 double width_of(const BodyDescription& body) { return body.shape == "slab" ? body.width : 0.0; }
 
 PistonProblem problem_of(const CaseDescription& description) {

@@ -9,8 +9,8 @@ namespace {
 
 const double outer = std::sqrt(5 + 2 * std::sqrt(10.0 / 7)) / 3, inner = std::sqrt(5 - 2 * std::sqrt(10.0 / 7)) / 3;
 const double outer_weight = (322 - 13 * std::sqrt(70.0)) / 900, inner_weight = (322 + 13 * std::sqrt(70.0)) / 900;
-const std::array<double, 5> nodes{-outer, -inner, 0, inner, outer};
-const std::array<double, 5> weights{outer_weight, inner_weight, 128.0 / 225, inner_weight, outer_weight};
+const std::array<double, 5> gauss_nodes{-outer, -inner, 0, inner, outer};
+const std::array<double, 5> gauss_weights{outer_weight, inner_weight, 128.0 / 225, inner_weight, outer_weight};
 
 }  // namespace
 
@@ -23,7 +23,7 @@ RunningIntegral::RunningIntegral(std::function<double(double)> f, double length,
 double RunningIntegral::over(double from, double to) const {
   const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
   double sum = 0;
-  for (std::size_t i = 0; i < nodes.size(); ++i) sum += weights[i] * f_(middle + half * nodes[i]);
+  for (std::size_t i = 0; i < gauss_nodes.size(); ++i) sum += gauss_weights[i] * f_(middle + half * gauss_nodes[i]);
   return half * sum;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,7 +11,10 @@
 
 namespace mortise {
 
-/// One rigid body. Lengths non-dimensional, angles in degrees in case files (radians in all output).
+/// Angles are in degrees in case files, and in radians in all output.
+inline constexpr double radians_per_degree = std::numbers::pi / 180;
+
+/// One rigid body. Lengths non-dimensional.
 struct BodyDescription : ShapeDescription {
   std::string place;                    // file:line:column of its table
   std::string name;                     // default: <shape>_<index>, e.g. "stick_0"

@@ -6,7 +6,7 @@
 namespace mortise {
 namespace {
 
-const std::vector<std::string> time_only = {"t"}, place_only = {"x", "y"};
+const std::vector<std::string> time_only = {"t"};
 
 void visit_grid(Section& s, CaseDescription& c) {
   s.require("factor", "a number > 0; the cells have size 1/(10 factor)");

@@ -87,4 +87,10 @@ double Expression::operator()(std::span<const double> values) const {
   return parser_->parser.Eval();
 }
 
+std::function<double(double)> function_of_time(const std::string& formula, double scale) {
+  if (formula.empty()) return {};
+  const auto expression = std::make_shared<Expression>(formula, std::vector<std::string>{"t"});
+  return [expression, scale](double t) { return scale * (*expression)(t); };
+}
+
 }  // namespace mortise

@@ -1,6 +1,7 @@
 // Formulas in case files: forces, prescribed motions and initial states, such as "0.5*sin(pi*t)^4".
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -42,5 +43,8 @@ class Expression {
   std::vector<std::string> variables_;
   std::unique_ptr<Parser> parser_;
 };
+
+/// `scale` times a formula of t; no function if there is no formula.
+std::function<double(double)> function_of_time(const std::string& formula, double scale = 1);
 
 }  // namespace mortise

@@ -5,8 +5,6 @@
 namespace mortise {
 namespace {
 
-const std::vector<std::string> place_only = {"x", "y"};
-
 void visit_geometry(Section& s, SolidDescription& b) {
   s.require("shape", "circle, ellipse, stick, rectangle, polygon, spline, annulus, plate or strip");
   s.choice("shape", b.shape, options::solid_shapes, "shape of the solid");

@@ -1,6 +1,7 @@
 // The keys of elastic solids, their interfaces, and of outlines, which rigid bodies have too.
 #pragma once
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -8,6 +9,9 @@
 #include "mortise/cases/input/section.hpp"
 
 namespace mortise {
+
+/// The variables of formulas that describe t = 0.
+inline const std::vector<std::string> place_only = {"x", "y"};
 
 /// The sides a solid may have, by key.
 std::vector<std::pair<const char*, SideDescription*>> side_keys(SolidDescription& solid);

@@ -1,7 +1,6 @@
 #include "mortise/cases/scene/bodies.hpp"
 
 #include <cmath>
-#include <numbers>
 
 #include "mortise/cases/input/expression.hpp"
 #include "mortise/grids/core/error.hpp"
@@ -10,7 +9,6 @@ namespace mortise {
 namespace {
 
 constexpr int default_layers = 10;
-constexpr double radians = std::numbers::pi / 180;
 
 using OutlineMaker = Outline (*)(const ShapeDescription&);
 
@@ -29,12 +27,6 @@ const Registry<OutlineMaker>& outlines() {
         }},
        {"spline", [](const ShapeDescription& b) { return Outline::spline_from_file(b.points); }}});
   return registry;
-}
-
-TimeFunction function_of_time(const std::string& formula, double scale = 1) {
-  if (formula.empty()) return {};
-  const auto expression = std::make_shared<Expression>(formula, std::vector<std::string>{"t"});
-  return [expression, scale](double t) { return scale * (*expression)(t); };
 }
 
 /// Shape, grid and inertia at density 1 (mass: area or width).
@@ -100,10 +92,10 @@ void add_body(const CaseDescription& description, std::size_t index, double spac
       rigid.pose.position[k] = from.position[degree];
       rigid.y[k] = from.velocity[degree];
     } else {
-      rigid.pose.angle = from.angle * radians;
+      rigid.pose.angle = from.angle * radians_per_degree;
       rigid.y[k] = from.angular_velocity;
     }
-    body.motion[degree] = function_of_time(*motion[entry], k < Dim ? 1 : radians);
+    body.motion[degree] = function_of_time(*motion[entry], k < Dim ? 1 : radians_per_degree);
     body.force[degree] = function_of_time(*force[entry]);
     rigid.held[degree] = body.motion[degree] || std::find(from.fixed.begin(), from.fixed.end(), names[entry]) != from.fixed.end();
     if (rigid.held[degree]) rigid.y[k] = body.motion[degree] ? (body.motion[degree](instant) - body.motion[degree](0)) / instant : 0.0;

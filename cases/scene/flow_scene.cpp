@@ -26,12 +26,6 @@ SideKind side_kind(const std::string& key) {
   return kinds.at(key);
 }
 
-std::function<double(double)> function_of_time(const std::string& formula) {
-  if (formula.empty()) return {};
-  const auto expression = std::make_shared<Expression>(formula, std::vector<std::string>{"t"});
-  return [expression](double t) { return (*expression)(t); };
-}
-
 Anchor anchor_of(const AnchorDescription& from) {
   Anchor anchor;
   anchor.center = {from.center[0], from.center[1]};

@@ -1,14 +1,11 @@
 #include "mortise/cases/scene/solid_state.hpp"
 
 #include <cmath>
-#include <numbers>
 
 #include "mortise/cases/input/expression.hpp"
 
 namespace mortise {
 namespace {
-
-constexpr double radians = std::numbers::pi / 180;
 
 ExactSolid with_stress(const Material& material, ExactSolid solid) {
   solid.stress = stress(material, Gradient::Identity() + solid.gradient);
@@ -27,7 +24,7 @@ SolidFunction at_rest(const SolidDescription& from) {
 
 /// u = A (s + c_p t − n·X)₊ n: a compression A running along n, its front at n·X = s at t = 0.
 SolidFunction plane_wave(const SolidInitialDescription& from, const Material& material) {
-  const Point<2> n(std::cos(from.angle * radians), std::sin(from.angle * radians));
+  const Point<2> n(std::cos(from.angle * radians_per_degree), std::sin(from.angle * radians_per_degree));
   const double speed = material.pressure_wave_speed(), amplitude = from.amplitude, start = from.position;
   return [=](const Point<2>& X, double t) {
     ExactSolid solid;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cmath>
-#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,8 +14,6 @@ namespace mortise::published {
 
 using Overrides = std::vector<std::string>;
 using Results = std::span<const MemberResult>;
-
-inline constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 inline Member member(const std::string& name, const std::string& case_name, Overrides overrides, double weight = 1,
                      bool keep_fields = false) {

@@ -13,12 +13,14 @@
 namespace mortise {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 struct Norm {
   const char* key;
   const char* heading;
   double ErrorNorms::*value;
 };
-constexpr std::array<Norm, 3> norms = {
+constexpr std::array<Norm, 3> table_norms = {
     {{"l1", "L1", &ErrorNorms::l1}, {"l2", "L2", &ErrorNorms::l2}, {"max", "max", &ErrorNorms::max}}};
 
 double number_of(const std::string& text, const std::string& place) {
@@ -142,9 +144,8 @@ Table values_table(const std::vector<ErrorSequence>& sequences, const Variation&
   return table;
 }
 
-nlohmann::ordered_json data_of(const std::vector<ErrorSequence>& sequences, const Variation& vary,
-                               const std::vector<MemberResult>& results, const std::string& name, bool self) {
-  using Json = nlohmann::ordered_json;
+Json data_of(const std::vector<ErrorSequence>& sequences, const Variation& vary,
+             const std::vector<MemberResult>& results, const std::string& name, bool self) {
   const std::vector<double> h = spacings(vary);
   Json data = {{"kind", "convergence"}, {"case", name}, {"against", self ? "self" : "exact"}, {"vary", vary.key}};
   for (std::size_t k = 0; k < results.size(); ++k)
@@ -161,7 +162,7 @@ nlohmann::ordered_json data_of(const std::vector<ErrorSequence>& sequences, cons
     Json entry = {{"name", sequence.quantity},
                   {"heading", quantity_heading(sequence.quantity)},
                   {"principal", principal(sequence.quantity)}};
-    for (const Norm& norm : norms) {
+    for (const Norm& norm : table_norms) {
       const std::vector<double> e = values_of(sequence, norm.value);
       entry[norm.key] = e;
       const auto order = fitted_order({h.begin(), h.begin() + static_cast<std::ptrdiff_t>(e.size())}, e);
@@ -239,7 +240,7 @@ int study_convergence(ConvergenceOptions options) {
   StudyFiles files;
   files.data = data_of(sequences, vary, results, base.name, self);
   files.values = values_table(sequences, vary);
-  for (const Norm& norm : norms) files.tables.push_back(table_of(sequences, vary, norm, self, base.name));
+  for (const Norm& norm : table_norms) files.tables.push_back(table_of(sequences, vary, norm, self, base.name));
   for (std::size_t k = 0; k < results.size(); ++k)
     if (!results[k].finished()) std::printf("%s: %s\n", members[k].name.c_str(), results[k].reason.c_str());
   write_study(files, options.output, options.cases_root);

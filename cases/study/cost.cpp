@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 
 #include "mortise/cases/input/case_file.hpp"
@@ -13,8 +12,6 @@
 
 namespace mortise {
 namespace {
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// What is run: configurations × resolutions, and the reference if the case has no exact solution.
 struct Plan {

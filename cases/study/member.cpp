@@ -12,14 +12,12 @@
 namespace mortise {
 namespace {
 
-using Json = nlohmann::json;
-
-double number(const Json& value) { return value.is_number() ? value.get<double>() : NAN; }
+double number(const nlohmann::json& value) { return value.is_number() ? value.get<double>() : NAN; }
 
 MemberResult result_in(const std::string& directory) {
   MemberResult result;
   result.directory = directory;
-  const Json summary = Json::parse(read_file(directory + "/summary.json"), nullptr, false);
+  const nlohmann::json summary = nlohmann::json::parse(read_file(directory + "/summary.json"), nullptr, false);
   if (summary.is_discarded()) throw EnvironmentError("\"" + directory + "/summary.json\" cannot be read");
   result.status = summary.at("status");
   result.reason = summary.at("reason");

@@ -7,7 +7,7 @@
 namespace mortise {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int waves_of_noise = 32;
 
 /// In [−1, 1]; the standard fixes the numbers of the engine, but not those of its distributions.

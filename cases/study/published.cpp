@@ -13,6 +13,8 @@
 namespace mortise {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 std::vector<Comparison> chosen(const std::string& only) {
   const std::vector<Comparison> all = comparisons();
   if (only.empty()) return all;
@@ -31,8 +33,7 @@ std::vector<Comparison> chosen(const std::string& only) {
   return some;
 }
 
-nlohmann::ordered_json data_of(const Table& table) {
-  using Json = nlohmann::ordered_json;
+Json data_of(const Table& table) {
   Json data = {{"title", table.title}, {"columns", Json::array()}, {"rows", Json::array()}};
   for (const TableColumn& column : table.columns) data["columns"].push_back(column.key);
   for (const auto& row : table.rows) {

@@ -12,7 +12,7 @@ namespace {
 using Values = std::vector<double>;
 
 /// What is compared, and how the errors of single cells come from the fields of both.
-struct Kind {
+struct Compared {
   bool solid;
   std::vector<std::string> fields;
   std::vector<std::string> names;
@@ -31,7 +31,7 @@ Values solid_errors(const Values& a, const Values& b) {
           std::sqrt(std::pow(a[4] - b[4], 2) + 2 * std::pow(a[5] - b[5], 2) + std::pow(a[6] - b[6], 2))};
 }
 
-const Kind kinds[] = {
+const Compared all_compared[] = {
     {false,
      {"density", "velocity_x", "pressure"},
      {"fluid.density", "fluid.velocity_x", "fluid.pressure", "fluid.temperature"},
@@ -46,7 +46,7 @@ const Kind kinds[] = {
      solid_errors}};
 
 /// Of a plane snapshot the kind with both velocities, of a line the other one.
-bool applies(const Kind& kind, const Snapshot& snapshot) {
+bool applies(const Compared& kind, const Snapshot& snapshot) {
   const auto grid = std::find_if(snapshot.grids.begin(), snapshot.grids.end(),
                                  [&](const GridSnapshot& g) { return g.solid == kind.solid && g.cell_count() > 0; });
   if (grid == snapshot.grids.end()) return false;
@@ -94,7 +94,7 @@ std::array<Point<2>, 4> quarters(const GridSnapshot& grid, int i, int j, const P
   return points;
 }
 
-void compare(const Kind& kind, const GridSnapshot& grid, const SnapshotSampler& fine, Sums& sums) {
+void compare(const Compared& kind, const GridSnapshot& grid, const SnapshotSampler& fine, Sums& sums) {
   const std::vector<Point<2>> places = cell_places(grid);
   std::vector<const Values*> fields;
   for (const std::string& name : kind.fields) fields.push_back(grid.field(name));
@@ -119,7 +119,7 @@ void compare(const Kind& kind, const GridSnapshot& grid, const SnapshotSampler& 
 
 std::map<std::string, ErrorNorms> snapshot_difference(const Snapshot& coarse, const Snapshot& fine) {
   std::map<std::string, ErrorNorms> norms;
-  for (const Kind& kind : kinds) {
+  for (const Compared& kind : all_compared) {
     if (!applies(kind, coarse) || !applies(kind, fine)) continue;
     const SnapshotSampler sampler(fine, kind.solid, kind.fields);
     Sums sums(kind.names.size());

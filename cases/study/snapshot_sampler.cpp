@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mortise/grids/geometry/strip_tree.hpp"
+
 namespace mortise {
 namespace {
 
@@ -11,8 +13,6 @@ Point<2> node(const GridSnapshot& grid, int i, int j) {
   const std::size_t n = grid.node(i, j);
   return {grid.x[n], grid.y[n]};
 }
-
-double cross(const Point<2>& a, const Point<2>& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// Centroid of the quadrilateral, from its two triangles.
 Point<2> centroid(const GridSnapshot& grid, int i, int j) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <limits>
 
 #include "mortise/cases/input/case_file.hpp"
 #include "mortise/cases/study/convergence.hpp"
@@ -17,7 +16,6 @@ namespace mortise {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// A scheme at one value of what varies.
 struct SchemePoint {

@@ -5,7 +5,7 @@
 
 #include "mortise/cases/study/stress_parts.hpp"
 
-namespace mortise::stress {
+namespace mortise::random_scenes {
 namespace {
 
 /// A slab, or at an end of the line a half space.
@@ -97,8 +97,8 @@ void write_contact(CaseText& text, Dice& dice) {
 std::string draw_body_scheme(Dice& dice) { return dice.chance(0.85) ? "rigid" : "traditional"; }
 
 /// What a scene with rigid bodies begins with, up to the bodies.
-CaseText begin_scene(Dice& dice, const std::string& title, const std::string& scheme, const Stage& stage,
-                     const Flow& flow, double fastest, bool repeat = true) {
+CaseText begin_bodies(Dice& dice, const std::string& title, const std::string& scheme, const Stage& stage,
+                      const Flow& flow, double fastest, bool repeat = true) {
   CaseText text;
   write_head(text, title + ", " + flow.kind + ", " + scheme, scheme, stage);
   if (dice.chance(0.1)) {
@@ -134,7 +134,7 @@ Scene line_bodies(Dice& dice, const std::string& title) {
   const std::string scheme = draw_body_scheme(dice);
   const std::vector<Slab> slabs = draw_slabs(dice, stage);
   const bool half_spaces = std::any_of(slabs.begin(), slabs.end(), [](const Slab& slab) { return !slab.side.empty(); });
-  CaseText text = begin_scene(dice, title, scheme, stage, flow, flow.fastest, !half_spaces);
+  CaseText text = begin_bodies(dice, title, scheme, stage, flow, flow.fastest, !half_spaces);
   for (const Slab& slab : slabs) {
     text.entry("bodies").word("shape", slab.side.empty() ? "slab" : "half_space");
     if (slab.side.empty())
@@ -189,7 +189,7 @@ Scene plane_bodies(Dice& dice, const std::string& title) {
   const Stage stage = draw_stage(dice, 2);
   const Flow flow = draw_flow(dice, stage, 1);
   const std::string scheme = draw_body_scheme(dice);
-  CaseText text = begin_scene(dice, title, scheme, stage, flow, flow.fastest + 0.5 * stage.sound);
+  CaseText text = begin_bodies(dice, title, scheme, stage, flow, flow.fastest + 0.5 * stage.sound);
   std::vector<Shape> shapes = draw_shapes(dice, stage, dice.whole(1, 4), 0.35);
   const std::vector<Place> places = place_apart(dice, stage, shapes, 3.2 * stage.spacing());
   for (std::size_t k = 0; k < shapes.size(); ++k)
@@ -201,7 +201,7 @@ Scene close_bodies(Dice& dice, const std::string& title) {
   const Stage stage = draw_stage(dice, 2);
   const Flow flow = draw_flow(dice, stage, 1);
   const std::string scheme = draw_body_scheme(dice);
-  CaseText text = begin_scene(dice, title, scheme, stage, flow, flow.fastest + 0.5 * stage.sound);
+  CaseText text = begin_bodies(dice, title, scheme, stage, flow, flow.fastest + 0.5 * stage.sound);
   std::vector<Shape> shapes = draw_shapes(dice, stage, dice.whole(2, 4), 0.3);
   for (Shape& shape : shapes)
     while (shape.shape == "polygon") shape = draw_shape(dice, stage, 0.3, 0.02);
@@ -211,4 +211,4 @@ Scene close_bodies(Dice& dice, const std::string& title) {
   return {flow.kind, scheme, scheme == "rigid", text.text()};
 }
 
-}  // namespace mortise::stress
+}  // namespace mortise::random_scenes

@@ -6,7 +6,7 @@
 #include "mortise/cases/input/case_checks.hpp"
 #include "mortise/cases/study/stress_parts.hpp"
 
-namespace mortise::stress {
+namespace mortise::random_scenes {
 namespace {
 
 /// (ρ, u, v, p) as the case file wants it: without v on a line.
@@ -213,4 +213,4 @@ Scene gas_alone(Dice& dice, const std::string& title) {
   return {flow.kind, "none", true, text.text()};
 }
 
-}  // namespace mortise::stress
+}  // namespace mortise::random_scenes

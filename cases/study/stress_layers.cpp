@@ -5,7 +5,7 @@
 
 #include "mortise/cases/study/stress_parts.hpp"
 
-namespace mortise::stress {
+namespace mortise::random_scenes {
 namespace {
 
 /// A shock that runs against the normal of a wall through the origin, from the far side of the gas.
@@ -15,7 +15,7 @@ void turn_to_wall(Flow& flow, double normal, double height) {
   flow.position = Dice::rounded(-0.7 * height);
 }
 
-CaseText begin_scene(Dice& dice, const std::string& title, const std::string& scheme, const Stage& stage,
+CaseText begin_layer(Dice& dice, const std::string& title, const std::string& scheme, const Stage& stage,
                      const Flow& flow) {
   CaseText text;
   write_head(text, title + ", " + flow.kind + ", " + scheme + (stage.gentle ? ", gentle" : ""), scheme, stage);
@@ -38,7 +38,7 @@ Scene line_strip(Dice& dice, const std::string& title) {
   Flow flow = draw_flow(dice, stage, weakness_of(stage, material));
   turn_to_wall(flow, 0, stage.high[0]);
   const std::string scheme = draw_interface_scheme(dice);
-  CaseText text = begin_scene(dice, title, scheme, stage, flow);
+  CaseText text = begin_layer(dice, title, scheme, stage, flow);
   text.table("grid")
       .word("kind", "layer")
       .number("factor", stage.factor)
@@ -60,7 +60,7 @@ Scene plane_strip(Dice& dice, const std::string& title) {
   const double normal = straight ? 90 : dice.between(0, 360);
   if (!straight || dice.chance(0.5)) turn_to_wall(flow, normal, stage.high[1]);
   const std::string scheme = draw_interface_scheme(dice);
-  CaseText text = begin_scene(dice, title, scheme, stage, flow);
+  CaseText text = begin_layer(dice, title, scheme, stage, flow);
   text.table("grid").word("kind", "layer").number("factor", stage.factor).number("angle", normal);
   text.numbers("low", {stage.low[0], 0}).numbers("high", {stage.high[0], stage.high[1]});
   text.table("boundaries");
@@ -83,7 +83,7 @@ Scene ring(Dice& dice, const std::string& title) {
   const Material material = draw_material(dice, stage);
   const Flow flow = draw_flow(dice, stage, weakness_of(stage, material));
   const std::string scheme = draw_interface_scheme(dice);
-  CaseText text = begin_scene(dice, title, scheme, stage, flow);
+  CaseText text = begin_layer(dice, title, scheme, stage, flow);
   const double middle = Dice::rounded(stage.length * dice.between(0.4, 0.6)), h = stage.spacing();
   const double solid = Dice::rounded(std::max(4 * h, stage.length * dice.between(0.1, 0.3)));  // thickness
   const int layout = dice.whole(0, 2);  // gas in it on one grid, around it, in it over a background
@@ -113,7 +113,7 @@ Scene hole(Dice& dice, const std::string& title) {
   const Material material = draw_material(dice, stage);
   const Flow flow = draw_flow(dice, stage, weakness_of(stage, material));
   const std::string scheme = draw_interface_scheme(dice);
-  CaseText text = begin_scene(dice, title, scheme, stage, flow);
+  CaseText text = begin_layer(dice, title, scheme, stage, flow);
   const double radius = Dice::rounded(std::max(stage.length * dice.between(0.25, 0.5), 8 * stage.spacing()));
   text.table("grid").number("factor", stage.factor);
   const double edge = Dice::rounded(1.5 * radius);
@@ -126,4 +126,4 @@ Scene hole(Dice& dice, const std::string& title) {
   return {flow.kind, scheme, robust(stage, scheme), text.text()};
 }
 
-}  // namespace mortise::stress
+}  // namespace mortise::random_scenes

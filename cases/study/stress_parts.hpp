@@ -7,7 +7,7 @@
 
 #include "mortise/cases/study/stress_dice.hpp"
 
-namespace mortise::stress {
+namespace mortise::random_scenes {
 
 /// The lines of a case file, written one after the other.
 class CaseText {
@@ -134,4 +134,4 @@ Scene hole(Dice& dice, const std::string& title);
 // stress_gas.cpp
 Scene gas_alone(Dice& dice, const std::string& title);
 
-}  // namespace mortise::stress
+}  // namespace mortise::random_scenes

@@ -5,7 +5,7 @@
 
 #include "mortise/cases/study/stress_parts.hpp"
 
-namespace mortise::stress {
+namespace mortise::random_scenes {
 namespace {
 
 double distance(const std::array<double, 2>& a, const std::array<double, 2>& b) {
@@ -105,4 +105,4 @@ std::vector<Place> place_close(Dice& dice, const Stage& stage, std::vector<Shape
   return places;
 }
 
-}  // namespace mortise::stress
+}  // namespace mortise::random_scenes

@@ -7,29 +7,29 @@
 namespace mortise {
 namespace {
 
-struct Kind {
+struct SceneKind {
   const char* name;
-  stress::Scene (*make)(Dice&, const std::string& title);
+  random_scenes::Scene (*make)(Dice&, const std::string& title);
   int weight;  // how often it is drawn
 };
 
-constexpr Kind kinds[] = {{"gas alone", stress::gas_alone, 1},
-                          {"rigid bodies on a line", stress::line_bodies, 4},
-                          {"rigid bodies", stress::plane_bodies, 4},
-                          {"close rigid bodies", stress::close_bodies, 3},
-                          {"elastic bodies", stress::plane_solids, 4},
-                          {"elastic and rigid bodies", stress::mixed_plane, 2},
-                          {"elastic strip on a line", stress::line_strip, 4},
-                          {"elastic strip", stress::plane_strip, 2},
-                          {"elastic ring", stress::ring, 2},
-                          {"gas in a hole", stress::hole, 1},
-                          {"elastic solids alone", stress::solids_alone, 2}};
+constexpr SceneKind scene_kinds[] = {{"gas alone", random_scenes::gas_alone, 1},
+                                     {"rigid bodies on a line", random_scenes::line_bodies, 4},
+                                     {"rigid bodies", random_scenes::plane_bodies, 4},
+                                     {"close rigid bodies", random_scenes::close_bodies, 3},
+                                     {"elastic bodies", random_scenes::plane_solids, 4},
+                                     {"elastic and rigid bodies", random_scenes::mixed_plane, 2},
+                                     {"elastic strip on a line", random_scenes::line_strip, 4},
+                                     {"elastic strip", random_scenes::plane_strip, 2},
+                                     {"elastic ring", random_scenes::ring, 2},
+                                     {"gas in a hole", random_scenes::hole, 1},
+                                     {"elastic solids alone", random_scenes::solids_alone, 2}};
 
-const Kind& drawn(Dice& dice) {
+const SceneKind& drawn(Dice& dice) {
   int sum = 0;
-  for (const Kind& kind : kinds) sum += kind.weight;
+  for (const SceneKind& kind : scene_kinds) sum += kind.weight;
   int left = dice.whole(0, sum - 1);
-  const Kind* chosen = kinds;
+  const SceneKind* chosen = scene_kinds;
   while (left >= chosen->weight) left -= (chosen++)->weight;
   return *chosen;
 }
@@ -39,7 +39,7 @@ const Kind& drawn(Dice& dice) {
 const std::vector<std::string>& stress_kinds() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
-    for (const Kind& kind : kinds) all.emplace_back(kind.name);
+    for (const SceneKind& kind : scene_kinds) all.emplace_back(kind.name);
     return all;
   }();
   return names;
@@ -47,8 +47,8 @@ const std::vector<std::string>& stress_kinds() {
 
 StressScene draw_stress_scene(std::uint64_t seed) {
   Dice dice(seed);
-  const Kind& kind = drawn(dice);
-  stress::Scene scene = kind.make(dice, "Stress " + std::to_string(seed) + ": " + kind.name);
+  const SceneKind& kind = drawn(dice);
+  random_scenes::Scene scene = kind.make(dice, "Stress " + std::to_string(seed) + ": " + kind.name);
   return {kind.name, std::move(scene.text), scene.robust};
 }
 

@@ -4,12 +4,12 @@
 
 #include "mortise/cases/study/stress_parts.hpp"
 
-namespace mortise::stress {
+namespace mortise::random_scenes {
 namespace {
 
 /// Begins a scene of solids in gas over a background, up to the solids.
-CaseText begin_scene(Dice& dice, const std::string& title, const std::string& scheme, const Stage& stage,
-                     const Flow& flow, double fastest) {
+CaseText begin_solids(Dice& dice, const std::string& title, const std::string& scheme, const Stage& stage,
+                      const Flow& flow, double fastest) {
   CaseText text;
   write_head(text, title + ", " + flow.kind + ", " + scheme + (stage.gentle ? ", gentle" : ""), scheme, stage);
   text.table("grid").number("factor", stage.factor);
@@ -125,7 +125,7 @@ Scene plane_solids(Dice& dice, const std::string& title) {
   }
   const Flow flow = draw_flow(dice, stage, weakness);
   const std::string scheme = draw_interface_scheme(dice);
-  CaseText text = begin_scene(dice, title, scheme, stage, flow, flow.fastest);
+  CaseText text = begin_solids(dice, title, scheme, stage, flow, flow.fastest);
   std::vector<Shape> shapes = draw_shapes(dice, stage, count);
   const std::vector<Place> places = place_apart(dice, stage, shapes, 3.5 * stage.spacing());
   for (std::size_t k = 0; k < shapes.size(); ++k) write_solid(text, dice, stage, materials[k], shapes[k], places[k]);
@@ -137,7 +137,7 @@ Scene mixed_plane(Dice& dice, const std::string& title) {
   const Material material = draw_material(dice, stage);
   const Flow flow = draw_flow(dice, stage, weakness_of(stage, material));
   const std::string scheme = draw_interface_scheme(dice);
-  CaseText text = begin_scene(dice, title, scheme, stage, flow, flow.fastest);
+  CaseText text = begin_solids(dice, title, scheme, stage, flow, flow.fastest);
   std::vector<Shape> shapes = draw_shapes(dice, stage, 2);
   const std::vector<Place> places = place_apart(dice, stage, shapes, 4 * stage.spacing());
   if (shapes.size() > 1) write_plane_body(text, dice, stage, shapes[1], places[1], scheme == "traditional");
@@ -191,4 +191,4 @@ Scene solids_alone(Dice& dice, const std::string& title) {
   return {shape, "none", true, text.text()};
 }
 
-}  // namespace mortise::stress
+}  // namespace mortise::random_scenes

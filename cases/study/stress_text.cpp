@@ -3,7 +3,7 @@
 
 #include "mortise/cases/study/stress_parts.hpp"
 
-namespace mortise::stress {
+namespace mortise::random_scenes {
 namespace {
 
 template <class Value, class Print>
@@ -39,4 +39,4 @@ CaseText& CaseText::numbers(const std::string& key, const std::vector<double>& v
 CaseText& CaseText::yes(const std::string& key, bool value) { return line(key + (value ? " = true" : " = false")); }
 CaseText& CaseText::plain(const std::string& key, const std::string& value) { return line(key + " = " + value); }
 
-}  // namespace mortise::stress
+}  // namespace mortise::random_scenes

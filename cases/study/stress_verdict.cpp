@@ -11,15 +11,13 @@
 namespace mortise {
 namespace {
 
-using Json = nlohmann::json;
-
 /// Where null says that a quantity has no meaning in the scene instead of that a number went bad.
 bool may_be_missing(const std::string& path) {
   return path == ".conservation.momentum" || path == ".conservation.energy";
 }
 
 /// The first place below `value` where a number belongs and none is; JSON has null for what is not finite.
-std::string first_bad_number(const Json& value, const std::string& path) {
+std::string first_bad_number(const nlohmann::json& value, const std::string& path) {
   if (value.is_null()) return may_be_missing(path) ? "" : path;
   if (value.is_number_float() && !std::isfinite(value.get<double>())) return path;
   if (!value.is_structured()) return "";
@@ -32,14 +30,14 @@ std::string first_bad_number(const Json& value, const std::string& path) {
 
 Judgement lie(const std::string& reason) { return {Verdict::lied, reason}; }
 
-std::string text_at(const Json& summary, const char* key) {
+std::string text_at(const nlohmann::json& summary, const char* key) {
   const auto found = summary.find(key);
   return found != summary.end() && found->is_string() ? found->get<std::string>() : "";
 }
 
 /// Of a run that ended with status 0.
 Judgement judge_finished(const std::string& text) {
-  const Json summary = Json::parse(text, nullptr, false);
+  const nlohmann::json summary = nlohmann::json::parse(text, nullptr, false);
   if (!summary.is_object()) return lie(text.empty() ? "there is no summary" : "the summary cannot be read");
   const std::string status = text_at(summary, "status");
   if (status != "finished") return lie("the exit status is 0, but the summary says \"" + status + "\"");
@@ -47,7 +45,7 @@ Judgement judge_finished(const std::string& text) {
     return lie("not a finite number: " + bad.substr(1));
   for (const char* key : {"time", "steps", "overlap"})
     if (!summary.contains(key)) return lie(std::string("the summary has no ") + key);
-  const Json& overlap = summary["overlap"];
+  const nlohmann::json& overlap = summary["overlap"];
   if (!overlap.is_object() || !overlap.contains("orphans") || !overlap["orphans"].is_number_integer())
     return lie("the summary does not count orphans");
   const auto orphans = overlap["orphans"].get<long long>();
@@ -99,7 +97,7 @@ Judgement judge_run(const RunEnding& ending, const std::string& summary) {
   if (ending.status == 0) return judge_finished(summary);
   if (ending.status == 2) return {Verdict::refused, "the input was refused"};
   if (ending.status != 3) return {Verdict::crash, "ended with status " + std::to_string(ending.status)};
-  const std::string reason = text_at(Json::parse(summary, nullptr, false), "reason");
+  const std::string reason = text_at(nlohmann::json::parse(summary, nullptr, false), "reason");
   return {Verdict::numerical, reason.empty() ? "the computation failed at its start" : reason};
 }
 

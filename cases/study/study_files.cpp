@@ -44,8 +44,8 @@ void write_study(const StudyFiles& files, const std::string& directory, const st
     text += (text.empty() ? "" : "\n") + markdown(table);
     paper += (paper.empty() ? "" : "\n") + latex(table);
   }
-  using Json = nlohmann::ordered_json;
-  write_file(directory + "/study.json", files.data.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
+  write_file(directory + "/study.json",
+             files.data.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
   write_file(directory + "/study.csv", csv(files.values));
   write_file(directory + "/study.md", text);
   write_file(directory + "/study.tex", paper);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <variant>
 #include <vector>
@@ -10,6 +11,7 @@ namespace mortise {
 
 /// Nothing, text, a count or a number.
 using TableValue = std::variant<std::monostate, std::string, std::int64_t, double>;
+inline constexpr double nothing = std::numeric_limits<double>::quiet_NaN();  // shown like no value
 
 struct TableColumn {
   std::string key;              // in CSV: "fluid.density_l1"

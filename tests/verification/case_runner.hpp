@@ -13,16 +13,11 @@
 #include "mortise/cases/scene/scene.hpp"
 #include "mortise/fluid/cell.hpp"
 #include "mortise/grids/core/error.hpp"
+#include "verification/words.hpp"
 
 namespace mortise::testing {
 
-using Overrides = std::vector<std::string>;
-
-/// Both lists, one after the other; the later ones win.
-inline Overrides operator+(Overrides first, const Overrides& second) {
-  first.insert(first.end(), second.begin(), second.end());
-  return first;
-}
+using Overrides = Words;  // the later ones win
 
 /// "key=value" with all digits of the number.
 inline std::string set(const std::string& key, double value) {

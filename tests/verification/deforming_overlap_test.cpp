@@ -9,7 +9,7 @@
 namespace mortise {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Nodes of an ellipse that breathes, wobbles and drifts, clockwise.
 std::vector<Point<2>> wobbling_ellipse(int along, double t) {
@@ -22,10 +22,13 @@ std::vector<Point<2>> wobbling_ellipse(int along, double t) {
   return curve;
 }
 
-class Scene {
+class WobblingScene {
  public:
-  Scene(int n, StateFunction<2> exact, StepOptions options)
-      : along_(n), growth_{.spacing = 4.0 / n, .layers = 9}, exact_(std::move(exact)), solver_(Communicator(), setup(n, options), timers_) {
+  WobblingScene(int n, StateFunction<2> exact, StepOptions options)
+      : along_(n),
+        growth_{.spacing = 4.0 / n, .layers = 9},
+        exact_(std::move(exact)),
+        solver_(Communicator(), setup(n, options), timers_) {
     solver_.initialize(exact_, path_at(0), 0);
     solver_.measure_rates(path_at(1e-6), 1e-6);
   }
@@ -99,7 +102,12 @@ TEST(DeformingOverlap, KeepsUniformFlowToRoundOff) {
   for (const Limiter limiter : {Limiter::none, Limiter::mc, Limiter::van_albada}) {
     StepOptions options;
     options.limiter = limiter;
-    Scene scene(56, [](const Point<2>&, double) { return Primitive<2>{1.3, {0.7, -0.4}, 0.9}; }, options);
+    WobblingScene scene(
+        56,
+        [](const Point<2>&, double) {
+          return Primitive<2>{1.3, {0.7, -0.4}, 0.9};
+        },
+        options);
     scene.run(2);
     EXPECT_GT(scene.steps(), 80);
     EXPECT_LE(scene.largest_error(), 1e-13);
@@ -114,7 +122,7 @@ TEST(DeformingOverlap, CarriesAnEntropyWaveAtSecondOrder) {
   options.limiter = Limiter::none;
   std::array<double, 2> errors;
   for (const std::size_t level : {0u, 1u}) {
-    Scene scene(56 << level, wave, options);
+    WobblingScene scene(56 << level, wave, options);
     scene.run(0.8);
     errors[level] = scene.largest_error();
   }

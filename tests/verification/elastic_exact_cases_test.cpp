@@ -54,15 +54,15 @@ TEST(RadialShell, InterfaceConvergesToTheReference) {
   EXPECT_GE(order(coarse.pressure, fine.pressure), 1.9) << fine.pressure;
 }
 
-std::map<std::string, ErrorNorms> errors_of(const std::string& name, double factor, const Overrides& more = {}) {
+std::map<std::string, ErrorNorms> case_errors(const std::string& name, double factor, const Overrides& more = {}) {
   CaseRun<2> run(name, more + Overrides{set("grid.factor", factor)});
   EXPECT_TRUE(run.run().finished()) << run.reason();
   return run.errors();
 }
 
-void expect_order(const std::string& name, double coarse, const std::map<std::string, double>& least,
-                  const Overrides& more = {}) {
-  const auto before = errors_of(name, coarse, more), after = errors_of(name, 2 * coarse, more);
+void expect_case_order(const std::string& name, double coarse, const std::map<std::string, double>& least,
+                       const Overrides& more = {}) {
+  const auto before = case_errors(name, coarse, more), after = case_errors(name, 2 * coarse, more);
   for (const auto& [field, order_of_field] : least)
     EXPECT_GE(order(before.at(field).max, after.at(field).max), order_of_field)
         << name << " " << field << " " << after.at(field).max;
@@ -70,7 +70,7 @@ void expect_order(const std::string& name, double coarse, const std::map<std::st
 
 // Mean errors of an independent computation at the same spacing (README of the case).
 TEST(SuperseismicShock, MeanErrorsAreBelowTheIndependentOnes) {
-  const auto errors = errors_of("superseismic_shock", 16);
+  const auto errors = case_errors("superseismic_shock", 16);
   const std::map<std::string, double> independent = {
       {"fluid.density", 1.77e-3},     {"fluid.velocity_x", 3.96e-3}, {"fluid.temperature", 8.3e-4},
       {"solid.displacement", 4.4e-5}, {"solid.velocity", 1.36e-3},   {"solid.stress", 7.3e-4}};
@@ -79,17 +79,17 @@ TEST(SuperseismicShock, MeanErrorsAreBelowTheIndependentOnes) {
 
 TEST(SolidAlone, PlaneWaves) {
   for (const char* wave : {"pressure", "shear"})
-    expect_order("plane_waves", 4, {{"solid.displacement", 1.9}, {"solid.velocity", 1.9}, {"solid.stress", 1.9}},
-                 {std::string("solids.0.initial.wave=") + wave});
+    expect_case_order("plane_waves", 4, {{"solid.displacement", 1.9}, {"solid.velocity", 1.9}, {"solid.stress", 1.9}},
+                      {std::string("solids.0.initial.wave=") + wave});
 }
 
 TEST(SolidAlone, AnnulusModes) {
-  expect_order("annulus_modes", 4, {{"solid.displacement", 1.9}, {"solid.velocity", 1.9}, {"solid.stress", 1.9}});
+  expect_case_order("annulus_modes", 4, {{"solid.displacement", 1.9}, {"solid.velocity", 1.9}, {"solid.stress", 1.9}});
 }
 
 // The stress next to the free surface comes to its order slowly.
 TEST(SolidAlone, RayleighWave) {
-  expect_order("rayleigh_wave", 4, {{"solid.displacement", 1.9}, {"solid.velocity", 1.9}, {"solid.stress", 1.8}});
+  expect_case_order("rayleigh_wave", 4, {{"solid.displacement", 1.9}, {"solid.velocity", 1.9}, {"solid.stress", 1.8}});
 }
 
 }  // namespace

@@ -9,11 +9,11 @@ namespace mortise::testing {
 
 using Errors = std::map<std::string, double>;
 
-inline const std::vector<std::string> along = {"fluid.density",      "fluid.velocity_x", "fluid.temperature",
-                                               "solid.displacement", "solid.velocity",   "solid.stress"};
-inline const std::vector<std::string> turned = {"fluid.density",     "fluid.velocity_x",   "fluid.velocity_y",
-                                                "fluid.temperature", "solid.displacement", "solid.velocity",
-                                                "solid.stress"};
+inline const std::vector<std::string> along_fields = {"fluid.density",      "fluid.velocity_x", "fluid.temperature",
+                                                      "solid.displacement", "solid.velocity",   "solid.stress"};
+inline const std::vector<std::string> turned_fields = {"fluid.density",     "fluid.velocity_x",   "fluid.velocity_y",
+                                                       "fluid.temperature", "solid.displacement", "solid.velocity",
+                                                       "solid.stress"};
 
 /// The strip in the plane, its normal at `angle` degrees, with exact data at its ends.
 inline Overrides strip(double angle, double width) {

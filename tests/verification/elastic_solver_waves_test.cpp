@@ -41,12 +41,12 @@ TEST(ElasticSolverWaves, SecondOrderThroughExactSides) {
                error_on_a_square(finite, 64, ElasticBoundary::exact), 1.9);
 }
 
-struct Errors {
+struct PatchErrors {
   double largest = 0, mean = 0;
 };
 
 /// An open grid with curved lines; one side prescribes velocities, two tractions, one is exact.
-Errors errors_on_a_curved_patch(const PlaneWave& wave, int n) {
+PatchErrors errors_on_a_curved_patch(const PlaneWave& wave, int n) {
   ElasticSetup setup;
   setup.name = "patch";
   setup.options.material = wave.material;
@@ -69,7 +69,7 @@ TEST(ElasticSolverWaves, SecondOrderOnACurvedPatchWithPrescribedVelocitiesAndTra
   for (const PlaneWave& wave : {PlaneWave{unit_speed(StressLaw::linear), Point<2>(5, 3), false},
                                 PlaneWave{unit_speed(StressLaw::linear), Point<2>(5, 3), true},
                                 PlaneWave{unit_speed(StressLaw::neo_hookean), Point<2>(5, 3), true, 0.03}}) {
-    const Errors coarse = errors_on_a_curved_patch(wave, 32), fine = errors_on_a_curved_patch(wave, 64);
+    const PatchErrors coarse = errors_on_a_curved_patch(wave, 32), fine = errors_on_a_curved_patch(wave, 64);
     expect_order(coarse.mean, fine.mean, 1.9);
     expect_order(coarse.largest, fine.largest, 1.5);
   }

@@ -9,7 +9,7 @@ namespace {
 using namespace testing;
 
 /// A plane wave along `direction` with phase 2π k·X, displacement a·sin(2π(k·X − ct)/…), of the linear theory.
-struct PlaneWave {
+struct TileWave {
   Point<2> k;          // integer wave vector: the tile is the unit square
   bool shear = false;  // S or P
   double amplitude = 1e-6;
@@ -79,7 +79,7 @@ TEST(ElasticWaves, PlaneWavesConvergeWithSecondOrderInTheMaximumNorm) {
     for (const bool wavy : {false, true})
       for (const bool shear : {false, true}) {
         const ElasticOptions o = elastic_options(law);
-        const PlaneWave wave{{1, 1}, shear};
+        const TileWave wave{{1, 1}, shear};
         const double time = 0.3;
         std::array<double, 2> errors{};
         for (const int level : {0, 1}) {

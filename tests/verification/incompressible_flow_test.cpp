@@ -11,7 +11,7 @@
 namespace mortise {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 struct Norms {
   double l2 = 0, largest = 0;

@@ -8,10 +8,10 @@ using testing::CaseRun;
 using testing::Overrides;
 using testing::operator+;
 
-const Overrides coarse = {"grid.factor=4"};
+const Overrides coarse_grid = {"grid.factor=4"};
 
 TEST(MasslessEllipse, FollowsThePublishedMotion) {
-  CaseRun<2> run("massless_ellipse", coarse);
+  CaseRun<2> run("massless_ellipse", coarse_grid);
   for (const testing::EllipseAt& expected : testing::published_ellipse) {
     ASSERT_TRUE(run.run(expected.time).finished()) << run.reason();
     expect_ellipse(run, expected, 0.006, 1);  // the figures ±0.004, the grid ±0.002
@@ -20,7 +20,7 @@ TEST(MasslessEllipse, FollowsThePublishedMotion) {
 
 // Grids from h = 1/20 to 1/160 give (.7355 ± .002, .0440 ± .001), turned by 32.3° ± .1° (both schemes).
 TEST(MasslessEllipse, TurnsLessWhenItIsHeavy) {
-  CaseRun<2> run("massless_ellipse", coarse + Overrides{"bodies.0.density=1"});
+  CaseRun<2> run("massless_ellipse", coarse_grid + Overrides{"bodies.0.density=1"});
   EXPECT_NEAR(run.simulation.bodies()[0].mass, 0.7697, 1e-4);
   EXPECT_NEAR(run.simulation.bodies()[0].inertia, 0.11786, 1e-5);
   ASSERT_TRUE(run.run().finished()) << run.reason();
@@ -28,8 +28,8 @@ TEST(MasslessEllipse, TurnsLessWhenItIsHeavy) {
 }
 
 TEST(MasslessEllipse, TraditionalSchemeAgreesWhenItIsHeavy) {
-  CaseRun<2> added_mass("massless_ellipse", coarse + Overrides{"bodies.0.density=1"});
-  CaseRun<2> traditional("massless_ellipse", coarse + Overrides{"bodies.0.density=1", "scheme=traditional"});
+  CaseRun<2> added_mass("massless_ellipse", coarse_grid + Overrides{"bodies.0.density=1"});
+  CaseRun<2> traditional("massless_ellipse", coarse_grid + Overrides{"bodies.0.density=1", "scheme=traditional"});
   ASSERT_TRUE(added_mass.run().finished()) << added_mass.reason();
   ASSERT_TRUE(traditional.run().finished()) << traditional.reason();
   expect_ellipse(traditional, ellipse(added_mass), 0.002, 0.2);
@@ -39,7 +39,7 @@ TEST(MasslessEllipse, TraditionalSchemeAgreesWhenItIsHeavy) {
 // with their smaller Δt move the bound down.
 TEST(MasslessEllipse, TraditionalSchemeBlowsUpWhenItIsLight) {
   for (const char* density : {"bodies.0.density=0.01", "bodies.0.density=0.001"}) {
-    const Overrides light = coarse + Overrides{density};
+    const Overrides light = coarse_grid + Overrides{density};
     CaseRun<2> added_mass("massless_ellipse", light),
         traditional("massless_ellipse", light + Overrides{"scheme=traditional"});
     ASSERT_TRUE(added_mass.run(1).finished()) << added_mass.reason();
@@ -50,7 +50,7 @@ TEST(MasslessEllipse, TraditionalSchemeBlowsUpWhenItIsLight) {
 }
 
 TEST(MasslessEllipse, TraditionalSchemeIsRefusedWithoutMass) {
-  EXPECT_THROW(CaseRun<2>("massless_ellipse", coarse + Overrides{"scheme=traditional"}), InputError);
+  EXPECT_THROW(CaseRun<2>("massless_ellipse", coarse_grid + Overrides{"scheme=traditional"}), InputError);
 }
 
 }  // namespace

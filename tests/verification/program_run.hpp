@@ -22,11 +22,12 @@
 
 #include "mortise/grids/output/atomic_file.hpp"
 #include "unit/grids/output/scratch_folder.hpp"
+#include "verification/words.hpp"
 
 namespace mortise::testing {
 
 using test::ScratchFolder;
-using Arguments = std::vector<std::string>;
+using Arguments = Words;
 
 /// Two bodies in a uniform stream, with a probe between them; lines are counted from 1.
 inline const std::string two_bodies =
@@ -126,11 +127,6 @@ class Program {
 
 inline Outcome run_program(const Arguments& arguments, const Launch& launch = {}) {
   return Program(arguments, launch).wait();
-}
-
-inline Arguments operator+(Arguments first, const Arguments& second) {
-  first.insert(first.end(), second.begin(), second.end());
-  return first;
 }
 
 inline int count(const std::string& text, const std::string& part) {

@@ -61,12 +61,12 @@ TEST(RigidPistonModel, TraditionalIsUnstableBelowHalfTheAddedMass) {
     EXPECT_NEAR(amplification(&advance_traditional<1>, m, 0.1, {3}), 1 - 3 * 0.1 / m, 1e-13);  // ζ = 1 − β
 }
 
-struct Errors {
+struct ModelErrors {
   double velocity, position;
 };
 
 /// v = 1 + sin 3t between two moving gases; the external force makes up for what is missing.
-Errors manufactured_errors(double m, int steps) {
+ModelErrors manufactured_errors(double m, int steps) {
   const double end = 2, dt = end / steps, z[] = {0.7, 2.5};
   const auto v = [](double t) { return 1 + std::sin(3 * t); };
   const auto x = [](double t) { return t + (1 - std::cos(3 * t)) / 3; };
@@ -99,7 +99,7 @@ Errors manufactured_errors(double m, int steps) {
 
 TEST(RigidPistonModel, AddedMassHasOrderTwoForEveryMass) {
   for (const double m : {0.0, 1e-8, 1e-3, 1.0, 1e3}) {
-    const Errors coarse = manufactured_errors(m, 200), fine = manufactured_errors(m, 400);
+    const ModelErrors coarse = manufactured_errors(m, 200), fine = manufactured_errors(m, 400);
     EXPECT_LT(fine.velocity, 1e-3) << "mass " << m;
     EXPECT_LT(fine.position, 1e-3) << "mass " << m;
     EXPECT_GT(std::log2(coarse.velocity / fine.velocity), 1.9) << "mass " << m;
@@ -114,12 +114,12 @@ const WallLaw simple_wave = [](double density, double pressure, double d) {
 };
 
 /// Largest errors of v and x against a reference history with gas at rest on both sides; `per_row` steps a row.
-Errors reference_errors(const std::string& file, double m, const WallFace<1>& left, const WallFace<1>& right,
-                        const std::function<double(double)>& pull, int per_row) {
+ModelErrors reference_errors(const std::string& file, double m, const WallFace<1>& left, const WallFace<1>& right,
+                             const std::function<double(double)>& pull, int per_row) {
   const auto rows = testing::reference_table(file);
   Vector1 velocity(0);
   double position = 0;
-  Errors worst{0, 0};
+  ModelErrors worst{0, 0};
   for (std::size_t row = 1; row < rows.size(); ++row) {
     const double start = testing::number(rows[row - 1], "t");
     const double dt = (testing::number(rows[row], "t") - start) / per_row;
@@ -136,8 +136,8 @@ Errors reference_errors(const std::string& file, double m, const WallFace<1>& le
   return worst;
 }
 
-void expect_second_order(const std::function<Errors(int)>& errors) {
-  const Errors coarse = errors(4), fine = errors(8);
+void expect_second_order(const std::function<ModelErrors(int)>& errors) {
+  const ModelErrors coarse = errors(4), fine = errors(8);
   EXPECT_LT(fine.velocity, 1e-4);
   EXPECT_LT(fine.position, 1e-4);
   EXPECT_NEAR(std::log2(coarse.velocity / fine.velocity), 2, 0.15);
@@ -145,7 +145,7 @@ void expect_second_order(const std::function<Errors(int)>& errors) {
 }
 
 TEST(RigidPistonModel, ReferencePistons) {
-  const double pi = std::numbers::pi;
+  using std::numbers::pi;
   expect_second_order([&](int per_row) {
     const auto pull = [&](double t) { return t < 1 ? 0.5 * std::pow(std::sin(pi * t), 4) : 0.0; };
     return reference_errors("rigid_piston_1_body.csv", 0.5, line_face(-1, 1, 0, 1), line_face(1, 1, 0, 1), pull,

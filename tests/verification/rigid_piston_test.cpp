@@ -12,12 +12,12 @@ using namespace testing;
 
 const std::vector<std::string> fields = {"fluid.density", "fluid.velocity_x", "fluid.pressure", "fluid.temperature"};
 
-struct Errors {
+struct PistonErrors {
   std::map<std::string, ErrorNorms> fluid;
   double velocity, position;
 };
 
-Errors errors_of(const Overrides& overrides) {
+PistonErrors piston_errors(const Overrides& overrides) {
   CaseRun<1> run("rigid_piston", overrides);
   run.run();
   EXPECT_TRUE(run.finished()) << run.reason();
@@ -27,11 +27,11 @@ Errors errors_of(const Overrides& overrides) {
 class PushedSlab : public ::testing::TestWithParam<double> {};
 
 TEST_P(PushedSlab, IsSecondOrderAtCfl09WithoutLimiter) {
-  std::vector<Errors> errors;
-  for (const double f : {8.0, 16.0, 32.0, 64.0}) errors.push_back(errors_of(pushed_slab(GetParam()) + factor(f)));
+  std::vector<PistonErrors> errors;
+  for (const double f : {8.0, 16.0, 32.0, 64.0}) errors.push_back(piston_errors(pushed_slab(GetParam()) + factor(f)));
   for (std::size_t i = 1; i < errors.size(); ++i) {
-    Errors& coarse = errors[i - 1];
-    Errors& fine = errors[i];
+    PistonErrors& coarse = errors[i - 1];
+    PistonErrors& fine = errors[i];
     for (const std::string& field : fields) {
       EXPECT_GE(order(coarse.fluid[field].l1, fine.fluid[field].l1), 1.9) << field << ", level " << i;
       EXPECT_GE(order(coarse.fluid[field].max, fine.fluid[field].max), 1.9) << field << " (max), level " << i;
@@ -44,8 +44,8 @@ INSTANTIATE_TEST_SUITE_P(Masses, PushedSlab, ::testing::Values(0.0, 1e-8, 1e-3, 
 
 TEST(RigidPiston, BodyVelocityIsSecondOrderForLightAndHeavyPistons) {
   for (const double mass : {0.0, 1e-8, 1e-1, 0.5, 1.0, 1e3}) {
-    const double coarse = errors_of(pushed_slab(mass) + factor(16)).velocity;
-    const double fine = errors_of(pushed_slab(mass) + factor(32)).velocity;
+    const double coarse = piston_errors(pushed_slab(mass) + factor(16)).velocity;
+    const double fine = piston_errors(pushed_slab(mass) + factor(32)).velocity;
     EXPECT_GE(order(coarse, fine), 1.9) << "mass " << mass;
   }
 }
@@ -57,7 +57,7 @@ TEST(RigidPiston, BodyVelocityIsSecondOrderUniformlyInTheMass) {
   const auto worst = [](double f) {
     double largest = 0;
     for (int k = -10; k <= 2; ++k)
-      largest = std::max(largest, errors_of(pushed_slab(std::pow(10, 0.5 * k)) + factor(f)).velocity);
+      largest = std::max(largest, piston_errors(pushed_slab(std::pow(10, 0.5 * k)) + factor(f)).velocity);
     return largest;
   };
   const double coarse = worst(8), middle = worst(16), fine = worst(32);
@@ -69,14 +69,14 @@ TEST(RigidPiston, BodyVelocityIsSecondOrderUniformlyInTheMass) {
 TEST(RigidPiston, HalfSpaceWithGasOnOneSideIsSecondOrder) {
   const Overrides pushed = {"initial.right=[1,0,1]", "time.end=0.8", "bodies.0.mass=0.5",
                             "bodies.0.force.x=1 + (t < 1 ? 0.5*sin(pi*t)^4 : 0)"};
-  Errors coarse = errors_of(pushed + factor(16)), fine = errors_of(pushed + factor(32));
+  PistonErrors coarse = piston_errors(pushed + factor(16)), fine = piston_errors(pushed + factor(32));
   for (const std::string& field : fields) EXPECT_GE(order(coarse.fluid[field].l1, fine.fluid[field].l1), 1.9) << field;
   EXPECT_GE(order(coarse.velocity, fine.velocity), 1.9);
 }
 
 /// Published for this spacing: 6.2e-5, 4.5e-5, 1.3e-5. The corners of the fan cost half an order.
 TEST(RigidPiston, ReleasedFromRestBeatsThePublishedErrors) {
-  Errors coarse = errors_of(factor(8)), fine = errors_of(factor(16));
+  PistonErrors coarse = piston_errors(factor(8)), fine = piston_errors(factor(16));
   EXPECT_LE(fine.fluid["fluid.density"].l1, 2.5e-5);
   EXPECT_LE(fine.fluid["fluid.velocity_x"].l1, 1.8e-5);
   EXPECT_LE(fine.fluid["fluid.temperature"].l1, 5.2e-6);
@@ -87,7 +87,7 @@ TEST(RigidPiston, ReleasedFromRestBeatsThePublishedErrors) {
 /// F(t) = −t⁴/4, max norm.
 TEST(RigidPiston, PrescribedMotionIsSecondOrderInTheMaxNorm) {
   const Overrides receding = {"bodies.0.motion.x=-t^4/4"};
-  Errors coarse = errors_of(receding + factor(256)), fine = errors_of(receding + factor(512));
+  PistonErrors coarse = piston_errors(receding + factor(256)), fine = piston_errors(receding + factor(512));
   for (const std::string& field : fields)
     EXPECT_GE(order(coarse.fluid[field].max, fine.fluid[field].max), 1.9) << field;
   EXPECT_LE(fine.fluid["fluid.density"].max, 5e-8);
@@ -96,8 +96,8 @@ TEST(RigidPiston, PrescribedMotionIsSecondOrderInTheMaxNorm) {
 
 /// Published for this spacing: 6.0e-6.
 TEST(RigidPiston, PrescribedMotionBeatsThePublishedErrorInTheMaxNorm) {
-  Errors errors = errors_of(Overrides{"bodies.0.motion.x=-t^4/4", "time.end=0.7",
-                                      "initial.right=[1,0,0.7142857142857143]"} + factor(32));
+  PistonErrors errors = piston_errors(
+      Overrides{"bodies.0.motion.x=-t^4/4", "time.end=0.7", "initial.right=[1,0,0.7142857142857143]"} + factor(32));
   EXPECT_LE(errors.fluid["fluid.density"].max, 2e-6);
 }
 

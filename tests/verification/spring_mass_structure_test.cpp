@@ -5,11 +5,14 @@
 #include <cmath>
 
 #include "mortise/coupler/simulation.hpp"
+#include "unit/fluid/gas_options.hpp"
 
 namespace mortise {
 namespace {
 
-constexpr double mass = 0.3, stiffness = 2.0, gamma = 1.4, p0 = 1 / gamma;
+using testing::gamma_air;
+
+constexpr double spring_mass = 0.3, stiffness = 2.0, p0 = 1 / gamma_air;
 
 /// A row of independent masses on springs along y; the implicit midpoint rule gives each face its admittance Δt/(2m).
 class SpringMasses : public Structure {
@@ -29,7 +32,7 @@ class SpringMasses : public Structure {
     for (std::size_t k = 0; k < position_.size(); ++k) {
       const double spring = stiffness * (position_[k] + theta * dt * velocity_[k]);
       Eigen::Matrix2d admittance = Eigen::Matrix2d::Zero();
-      admittance(1, 1) = theta * dt / mass;
+      admittance(1, 1) = theta * dt / spring_mass;
       traces.push_back({Point<2>(0, velocity_[k]), Point<2>(0, spring), admittance});
     }
     return traces;
@@ -39,7 +42,7 @@ class SpringMasses : public Structure {
     next_velocity_ = velocity_;
     for (std::size_t k = 0; k < position_.size(); ++k) {
       const double spring = stiffness * (position_[k] + 0.5 * dt * velocity_[k]);
-      next_velocity_[k] += dt * (traction[k][1] - spring) / mass;
+      next_velocity_[k] += dt * (traction[k][1] - spring) / spring_mass;
       next_position_[k] += 0.5 * dt * (velocity_[k] + next_velocity_[k]);
     }
     return true;
@@ -60,7 +63,10 @@ class SpringMasses : public Structure {
 
 /// Position and velocity of the mass at time t: fourth-order Runge-Kutta with steps far below the flow's.
 std::pair<double, double> exact_motion(double velocity, double t) {
-  const auto acceleration = [](double x, double v) { return (-stiffness * x - p0 * (std::pow(1 + 0.5 * (gamma - 1) * v, 2 * gamma / (gamma - 1)) - 1)) / mass; };
+  const auto acceleration = [](double x, double v) {
+    return (-stiffness * x - p0 * (std::pow(1 + 0.5 * (gamma_air - 1) * v, 2 * gamma_air / (gamma_air - 1)) - 1)) /
+           spring_mass;
+  };
   double x = 0, v = velocity;
   const int steps = 4000;
   const double h = t / steps;
@@ -74,12 +80,12 @@ std::pair<double, double> exact_motion(double velocity, double t) {
   return {x, v};
 }
 
-struct Errors {
+struct SpringErrors {
   double position, velocity;
 };
 
 /// Gas above a row of `faces` masses (gas_faces on its own side) which all begin with the same velocity.
-Errors run(int layers, int faces, int gas_faces, double velocity, double end) {
+SpringErrors run(int layers, int faces, int gas_faces, double velocity, double end) {
   const double height = 2, h = height / layers, width = 4 * h;
   SimulationSetup<2> setup;
   setup.fluid.options.limiter = Limiter::none;
@@ -96,9 +102,10 @@ Errors run(int layers, int faces, int gas_faces, double velocity, double end) {
   grid.shape.spacing = h;
   grid.shape.layers = layers;
   setup.fluid.bodies.push_back(grid);
-  setup.initial = [velocity](const Point<2>& x, double) {  // the simple wave of a wall that has just begun to move needs no jump
-    const double u = velocity * std::exp(-8 * x[1] * x[1]), c = 1 + 0.5 * (gamma - 1) * u;
-    return Primitive<2>{std::pow(c, 2 / (gamma - 1)), {0, u}, p0 * std::pow(c, 2 * gamma / (gamma - 1))};
+  // The simple wave of a wall that has just begun to move needs no jump.
+  setup.initial = [velocity](const Point<2>& x, double) {
+    const double u = velocity * std::exp(-8 * x[1] * x[1]), c = 1 + 0.5 * (gamma_air - 1) * u;
+    return Primitive<2>{std::pow(c, 2 / (gamma_air - 1)), {0, u}, p0 * std::pow(c, 2 * gamma_air / (gamma_air - 1))};
   };
   InterfaceSetup interface;
   interface.name = "springs";
@@ -120,14 +127,14 @@ Errors run(int layers, int faces, int gas_faces, double velocity, double end) {
 }
 
 TEST(SpringMassStructure, SecondOrderAgainstThePistonRelation) {
-  const Errors coarse = run(80, 4, 4, -0.3, 0.8), fine = run(160, 4, 4, -0.3, 0.8);
+  const SpringErrors coarse = run(80, 4, 4, -0.3, 0.8), fine = run(160, 4, 4, -0.3, 0.8);
   EXPECT_LT(fine.position, 1e-5);
   EXPECT_GT(std::log2(coarse.position / fine.position), 1.9);
   EXPECT_GT(std::log2(coarse.velocity / fine.velocity), 1.9);
 }
 
 TEST(SpringMassStructure, FacesNeedNotMatch) {
-  const Errors matching = run(40, 4, 4, -0.3, 0.8), other = run(40, 7, 4, -0.3, 0.8);
+  const SpringErrors matching = run(40, 4, 4, -0.3, 0.8), other = run(40, 7, 4, -0.3, 0.8);
   EXPECT_NEAR(other.position, matching.position, 1e-10);
   EXPECT_NEAR(other.velocity, matching.velocity, 1e-10);
 }

@@ -3,14 +3,13 @@
 // every m.
 #include <gtest/gtest.h>
 
+#include "unit/fluid/gas_options.hpp"
 #include "verification/piston_overrides.hpp"
 
 namespace mortise {
 namespace {
 
 using namespace testing;
-
-constexpr double gamma = 1.4;
 
 /// A piston between gases at rest whose velocity is disturbed a little.
 struct Disturbed {
@@ -42,7 +41,7 @@ struct Disturbed {
 const Overrides half_space = {"initial.right=[1.4,0,1]", "bodies.0.force.x=1"};
 const Overrides slab = {"bodies.0.shape=slab", "bodies.0.width=0.2", "initial.left=[0.4,0,1]", "initial.right=[1,0,1]"};
 
-double impedance(double density, double pressure) { return std::sqrt(gamma * density * pressure); }
+double impedance(double density, double pressure) { return std::sqrt(gamma_air * density * pressure); }
 
 TEST(TraditionalPiston, IsUnstableExactlyBelowHalfTheAddedMassOfAStep) {
   for (const double dt : {0.005, 0.01}) {

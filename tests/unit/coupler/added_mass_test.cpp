@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "mortise/grids/core/error.hpp"
+#include "unit/coupler/number_in.hpp"
 #include "unit/coupler/wall_scene.hpp"
 
 namespace mortise {
@@ -17,6 +18,7 @@ using testing::acoustic;
 using testing::advance;
 using testing::ideal_gas;
 using testing::line_face;
+using testing::number_in;
 using Vector3 = BodyVector<2>;
 using Matrix3 = BodyMatrix<2>;
 using Faces = std::vector<WallFace<2>>;
@@ -227,8 +229,6 @@ TEST(Traditional, NeedsMass) {
 }
 
 // Properties.
-
-double number_in(double low, double high) { return low + (high - low) * *rc::gen::inRange(0, 1000001) * 1e-6; }
 
 Faces any_faces() {
   const double slope = number_in(-0.5, 0.5), turn = number_in(-0.5, 0.5);

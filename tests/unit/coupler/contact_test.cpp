@@ -6,6 +6,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "unit/coupler/number_in.hpp"
+
 namespace mortise {
 namespace {
 
@@ -178,7 +180,7 @@ struct Scene {
   std::vector<ContactPoint<2>> contacts;
 };
 
-double number_in(double low, double high) { return low + (high - low) * *rc::gen::inRange(0, 1000001) * 1e-6; }
+using testing::number_in;
 
 Scene any_scene(bool walls) {
   Scene scene;

@@ -9,22 +9,12 @@ namespace {
 
 using namespace testing;
 
-const std::array<Limiter, 4> limiters = {Limiter::none, Limiter::minmod, Limiter::mc, Limiter::van_albada};
-const std::array<RiemannSolver, 3> solvers = {RiemannSolver::hllc, RiemannSolver::hlle, RiemannSolver::exact};
-
-StepOptions options(Limiter limiter = Limiter::mc, RiemannSolver solver = RiemannSolver::hllc) {
-  StepOptions o;
-  o.limiter = limiter;
-  o.riemann = solver;
-  if (limiter == Limiter::van_albada) o.van_albada_floor.fill(1e-3);
-  return o;
-}
 template <class Check>
 void for_all_options(Check check) {
-  for (const Limiter limiter : limiters)
-    for (const RiemannSolver solver : solvers) {
+  for (const Limiter limiter : gas_limiters)
+    for (const RiemannSolver solver : gas_solvers) {
       SCOPED_TRACE(::testing::Message() << "limiter " << int(limiter) << " solver " << int(solver));
-      check(options(limiter, solver));
+      check(gas_options(limiter, solver));
     }
 }
 
@@ -40,7 +30,7 @@ TEST(CartesianKernel, UniformFlowStaysUniformToTheBit) {
 TEST(CartesianKernel, ContactAtRestStaysToTheBit) {
   for (const RiemannSolver solver : {RiemannSolver::hllc, RiemannSolver::exact}) {
     PlaneTile tile({12, 6}, [](int i, int) { return Primitive<2>{i < 5 ? 1.0 : 0.1, {0, 0}, 1}; });
-    godunov_step(tile.cartesian(0.1, 0.1), 0.03, options(Limiter::mc, solver));
+    godunov_step(tile.cartesian(0.1, 0.1), 0.03, gas_options(Limiter::mc, solver));
     for (int j = 0; j < 6; ++j)
       for (int i = 0; i < 12; ++i)
         EXPECT_LT(distance(tile.before(i, j), tile.after(i, j)), solver == RiemannSolver::hllc ? 1e-300 : 1e-15);
@@ -48,7 +38,7 @@ TEST(CartesianKernel, ContactAtRestStaysToTheBit) {
 }
 
 TEST(CartesianKernel, MirroredFlowHasTheMirroredAnswerToTheBit) {
-  for (const Limiter limiter : limiters) {
+  for (const Limiter limiter : gas_limiters) {
     const int nx = 20, ny = 6;
     PlaneTile tile({nx, ny}, noisy_state);
     PlaneTile mirrored({nx, ny}, [](int i, int j) {
@@ -56,8 +46,8 @@ TEST(CartesianKernel, MirroredFlowHasTheMirroredAnswerToTheBit) {
       W.velocity[0] = -W.velocity[0];
       return W;
     });
-    const auto a = godunov_step(tile.cartesian(0.1, 0.1), 0.005, options(limiter));
-    const auto b = godunov_step(mirrored.cartesian(0.1, 0.1), 0.005, options(limiter));
+    const auto a = godunov_step(tile.cartesian(0.1, 0.1), 0.005, gas_options(limiter));
+    const auto b = godunov_step(mirrored.cartesian(0.1, 0.1), 0.005, gas_options(limiter));
     EXPECT_EQ(a.rate, b.rate);
     for (int j = 0; j < ny; ++j)
       for (int i = 0; i < nx; ++i) {
@@ -104,10 +94,10 @@ TEST(CartesianKernel, TileSizeDoesNotChangeABit) {
 
 TEST(CartesianKernel, EveryEvenWidthGivesTheSameBits) {
   PlaneTile whole({64, 4}, noisy_state);
-  godunov_step(whole.cartesian(0.1, 0.1), 0.005, options());
+  godunov_step(whole.cartesian(0.1, 0.1), 0.005, gas_options());
   for (int nx = 2; nx < 64; nx += 2) {
     PlaneTile part({nx, 4}, noisy_state);
-    godunov_step(part.cartesian(0.1, 0.1), 0.005, options());
+    godunov_step(part.cartesian(0.1, 0.1), 0.005, gas_options());
     for (int j = 0; j < 4; ++j)
       for (int i = 0; i < nx; ++i) EXPECT_TRUE(same_bits(part.after(i, j), whole.after(i, j))) << nx << ": " << i;
   }
@@ -163,13 +153,13 @@ TEST(CartesianKernel, InactiveCellsKeepTheirValueAndDoNotCount) {
     for (int i = 0; i < 20; ++i)
       if (hole(i, j)) {
         tile.active[tile.shape.at(i, j)] = other.active[other.shape.at(i, j)] = 0;
-        put(other.now, other.shape.at(i, j), to_conserved(Primitive<2>{5, {1, -2}, 500}, testing::gamma));
+        put(other.now, other.shape.at(i, j), to_conserved(Primitive<2>{5, {1, -2}, 500}, gamma_air));
       }
-  const StepResult result = godunov_step(tile.cartesian(0.1, 0.1, true), 0.002, options());
+  const StepResult result = godunov_step(tile.cartesian(0.1, 0.1, true), 0.002, gas_options());
   EXPECT_TRUE(result.admissible);
-  godunov_step(other.cartesian(0.1, 0.1, true), 0.002, options());
+  godunov_step(other.cartesian(0.1, 0.1, true), 0.002, gas_options());
   PlaneTile full({20, 8}, noisy_state);
-  godunov_step(full.cartesian(0.1, 0.1), 0.002, options());
+  godunov_step(full.cartesian(0.1, 0.1), 0.002, gas_options());
   for (int j = 0; j < 8; ++j)
     for (int i = 0; i < 20; ++i) {
       if (hole(i, j)) {
@@ -188,33 +178,33 @@ TEST(CartesianKernel, ReportsInadmissibleStatesOfActiveCellsOnly) {
     for (int i = 0; i < 10; ++i) {
       PlaneTile tile({10, 6}, noisy_state);
       tile.now.component(component)[tile.shape.at(i, 3)] = nan;
-      EXPECT_FALSE(godunov_step(tile.cartesian(0.1, 0.1), 0.002, options()).admissible);
-      EXPECT_FALSE(wave_rate(tile.cartesian(0.1, 0.1), options()).admissible);
+      EXPECT_FALSE(godunov_step(tile.cartesian(0.1, 0.1), 0.002, gas_options()).admissible);
+      EXPECT_FALSE(wave_rate(tile.cartesian(0.1, 0.1), gas_options()).admissible);
     }
     PlaneTile ghost({10, 6}, noisy_state);
     ghost.now.component(component)[ghost.shape.at(-1, 3)] = nan;
-    EXPECT_FALSE(godunov_step(ghost.cartesian(0.1, 0.1), 0.002, options()).admissible);
+    EXPECT_FALSE(godunov_step(ghost.cartesian(0.1, 0.1), 0.002, gas_options()).admissible);
   }
   PlaneTile negative({10, 6}, noisy_state);
-  EXPECT_TRUE(godunov_step(negative.cartesian(0.1, 0.1), 0.002, options()).admissible);
-  EXPECT_FALSE(godunov_step(negative.cartesian(0.1, 0.1), 2, options()).admissible);  // far beyond the CFL bound
+  EXPECT_TRUE(godunov_step(negative.cartesian(0.1, 0.1), 0.002, gas_options()).admissible);
+  EXPECT_FALSE(godunov_step(negative.cartesian(0.1, 0.1), 2, gas_options()).admissible);  // far beyond the CFL bound
   PlaneTile masked({10, 6}, noisy_state);
   masked.now.component(0)[masked.shape.at(4, 3)] = -1;
   for (int j = 0; j < 6; ++j)
     for (int i = 0; i < 10; ++i) masked.active[masked.shape.at(i, j)] = std::abs(i - 4) + std::abs(j - 3) > 2;
-  EXPECT_TRUE(godunov_step(masked.cartesian(0.1, 0.1, true), 0.002, options()).admissible);
+  EXPECT_TRUE(godunov_step(masked.cartesian(0.1, 0.1, true), 0.002, gas_options()).admissible);
 }
 
 TEST(CartesianKernel, RateIsThatOfTheNewState) {
   PlaneTile tile({20, 8}, noisy_state);
-  const StepResult step = godunov_step(tile.cartesian(0.1, 0.2), 0.002, options());
+  const StepResult step = godunov_step(tile.cartesian(0.1, 0.2), 0.002, gas_options());
   tile.accept();
-  EXPECT_EQ(step.rate, wave_rate(tile.cartesian(0.1, 0.2), options()).rate);
+  EXPECT_EQ(step.rate, wave_rate(tile.cartesian(0.1, 0.2), gas_options()).rate);
   double rate = 0;
   for (int j = 0; j < 8; ++j)
     for (int i = 0; i < 20; ++i) {
       const Primitive<2> W = tile.primitive(i, j);
-      const double c = std::sqrt(testing::gamma * W.pressure / W.density);
+      const double c = std::sqrt(gamma_air * W.pressure / W.density);
       rate = std::max(rate, (std::abs(W.velocity[0]) + c) / 0.1 + (std::abs(W.velocity[1]) + c) / 0.2);
     }
   EXPECT_NEAR(step.rate, rate, 1e-13 * rate);
@@ -240,17 +230,17 @@ TEST(CartesianKernel, SurvivesMachTenAndNearVacuum) {
           const bool behind = i < 6;
           return behind ? Primitive<2>{8, {8.25, 0}, 116.5} : Primitive<2>{(i + j) % 7 < 3 ? 1.4 : 0.1, {0, 0}, 1};
         },
-        options(limiter));
+        gas_options(limiter));
     expect_survival(
         [](int i, int j) {  // a gas that tears apart
           return Primitive<2>{1, {i < 16 ? -4.0 : 4.0, j < 8 ? -0.5 : 0.5}, 0.4};
         },
-        options(limiter));
+        gas_options(limiter));
     expect_survival(
         [](int i, int j) {
           return Primitive<2>{(i / 4 + j / 4) % 2 ? 1 : 1e-4, {0, 0}, (i / 4 + j / 4) % 2 ? 1 : 1e-5};
         },
-        options(limiter));
+        gas_options(limiter));
   }
 }
 

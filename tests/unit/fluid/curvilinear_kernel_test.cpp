@@ -11,24 +11,17 @@ namespace {
 using namespace testing;
 using std::numbers::pi;
 
-constexpr double h = 0.1;
+constexpr double spacing = 0.1;
 
-StepOptions options(Limiter limiter = Limiter::mc, RiemannSolver solver = RiemannSolver::hllc) {
-  StepOptions o;
-  o.limiter = limiter;
-  o.riemann = solver;
-  return o;
-}
-
-Point<2> square(int i, int j) { return {h * i, h * j}; }
+Point<2> square(int i, int j) { return {spacing * i, spacing * j}; }
 /// Smoothly deforming nodes.
 [[gnu::noinline]] Point<2> wavy(int i, int j, double t) {
-  const double x = h * i, y = h * j;
+  const double x = spacing * i, y = spacing * j;
   return {x + 0.03 * std::sin(2 * pi * (x - 0.7 * y) + 3 * t) + 0.2 * t,
           y + 0.03 * std::cos(2 * pi * (0.6 * x + y) - 2 * t) - 0.1 * t};
 }
 [[gnu::noinline]] Point<2> shear_velocity(int i, int j) {
-  return {0.3 * std::sin(0.4 * j) + 0.1 * i * h, 0.2 * std::cos(0.3 * i)};
+  return {0.3 * std::sin(0.4 * j) + 0.1 * i * spacing, 0.2 * std::cos(0.3 * i)};
 }
 
 struct Scene {
@@ -48,8 +41,8 @@ TEST(CurvilinearKernel, SquaresAtRestGiveTheCartesianAnswer) {
       scene.nodes.place(square);
       scene.nodes.move([](int, int) { return Point<2>{0, 0}; });
       PlaneTile cartesian({14, 8}, noisy_state);
-      const StepResult a = godunov_step(scene.view(), 0.005, options(limiter, solver));
-      const StepResult b = godunov_step(cartesian.cartesian(h, h), 0.005, options(limiter, solver));
+      const StepResult a = godunov_step(scene.view(), 0.005, gas_options(limiter, solver));
+      const StepResult b = godunov_step(cartesian.cartesian(spacing, spacing), 0.005, gas_options(limiter, solver));
       EXPECT_NEAR(a.rate, b.rate, 1e-12 * b.rate);
       for (int j = 0; j < 8; ++j)
         for (int i = 0; i < 14; ++i) EXPECT_LT(distance(scene.tile.after(i, j), cartesian.after(i, j)), 2e-14);
@@ -59,17 +52,17 @@ TEST(CurvilinearKernel, SquaresAtRestGiveTheCartesianAnswer) {
 TEST(CurvilinearKernel, NoVelocitiesMeanAGridAtRest) {
   Scene scene({14, 8}), rest({14, 8});
   scene.nodes.move([](int, int) { return Point<2>{0, 0}; });
-  godunov_step(scene.view(), 0.005, options());
+  godunov_step(scene.view(), 0.005, gas_options());
   CurvilinearTile view = rest.view();
   view.wx = view.wy = nullptr;
-  godunov_step(view, 0.005, options());
+  godunov_step(view, 0.005, gas_options());
   for (int j = 0; j < 8; ++j)
     for (int i = 0; i < 14; ++i) EXPECT_TRUE(same_bits(scene.tile.after(i, j), rest.tile.after(i, j)));
 }
 
 TEST(CurvilinearKernel, FreeStreamIsKeptOnDeformingNodes) {
   const Primitive<2> W{1.2, {0.8, -0.5}, 0.7};
-  const Conserved<2> U = to_conserved(W, testing::gamma);
+  const Conserved<2> U = to_conserved(W, gamma_air);
   for (const RiemannSolver solver : {RiemannSolver::hllc, RiemannSolver::hlle, RiemannSolver::exact}) {
     Scene scene({20, 12}, [&](int, int) { return W; });
     const double dt = 0.01;
@@ -81,7 +74,7 @@ TEST(CurvilinearKernel, FreeStreamIsKeptOnDeformingNodes) {
       scene.tile.fill([&](int i, int j) {
         return step == 0 || i < 0 || j < 0 || i >= 20 || j >= 12 ? W : scene.tile.primitive(i, j);
       });
-      EXPECT_TRUE(godunov_step(scene.view(), dt, options(Limiter::mc, solver)).admissible);
+      EXPECT_TRUE(godunov_step(scene.view(), dt, gas_options(Limiter::mc, solver)).admissible);
       for (int j = 0; j < 12; ++j)
         for (int i = 0; i < 20; ++i) {
           worst_step = std::max(worst_step, distance(scene.tile.before(i, j), scene.tile.after(i, j)));
@@ -103,25 +96,26 @@ TEST(CurvilinearKernel, GridMovingWithTheFrameSeesTheSameFlow) {
   });
   rest.nodes.move([](int, int) { return Point<2>{0, 0}; });
   moving.nodes.move([&](int, int) { return w; });
-  const StepResult a = godunov_step(rest.view(), 0.005, options()), b = godunov_step(moving.view(), 0.005, options());
+  const StepResult a = godunov_step(rest.view(), 0.005, gas_options()),
+                   b = godunov_step(moving.view(), 0.005, gas_options());
   EXPECT_NEAR(a.rate, b.rate, 1e-12 * a.rate);
   for (int j = 0; j < 8; ++j)
     for (int i = 0; i < 14; ++i) {
-      Primitive<2> W = to_primitive(moving.tile.after(i, j), testing::gamma);
+      Primitive<2> W = to_primitive(moving.tile.after(i, j), gamma_air);
       for (std::size_t d = 0; d < 2; ++d) W.velocity[d] -= w[static_cast<int>(d)];
-      EXPECT_LT(distance(rest.tile.after(i, j), to_conserved(W, testing::gamma)), 3e-14);
+      EXPECT_LT(distance(rest.tile.after(i, j), to_conserved(W, gamma_air)), 3e-14);
     }
 }
 
 TEST(CurvilinearKernel, TileSizeDoesNotChangeABit) {
   Scene whole({32, 16});
-  const StepResult all = godunov_step(whole.view(), 0.003, options());
+  const StepResult all = godunov_step(whole.view(), 0.003, gas_options());
   double rate = 0;
   for (const int first : {0, 16}) {
     Scene part({16, 16}, [first](int i, int j) { return noisy_state(i + first, j); });
     part.nodes.place([first](int i, int j) { return wavy(i + first, j, 0.1); });
     part.nodes.move([first](int i, int j) { return shear_velocity(i + first, j); });
-    rate = std::max(rate, godunov_step(part.view(), 0.003, options()).rate);
+    rate = std::max(rate, godunov_step(part.view(), 0.003, gas_options()).rate);
     for (int j = 0; j < 16; ++j)
       for (int i = 0; i < 16; ++i) EXPECT_TRUE(same_bits(part.tile.after(i, j), whole.tile.after(i + first, j)));
   }
@@ -136,8 +130,8 @@ TEST(CurvilinearKernel, DependsOnCellsWithinTwoStepsAndNoOthers) {
     if (i == ic && j == jc) W.density *= 1.01, W.pressure *= 1.02;
     return W;
   });
-  godunov_step(scene.view(), 0.005, options());
-  godunov_step(changed.view(), 0.005, options());
+  godunov_step(scene.view(), 0.005, gas_options());
+  godunov_step(changed.view(), 0.005, gas_options());
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i)
       EXPECT_EQ(same_bits(scene.tile.after(i, j), changed.tile.after(i, j)), std::abs(i - ic) + std::abs(j - jc) > 2);
@@ -148,22 +142,22 @@ TEST(CurvilinearKernel, InactiveCellsKeepTheirValueAndNaNIsReported) {
   CurvilinearTile view = scene.view();
   view.active = scene.tile.active.data();
   scene.tile.active[scene.tile.shape.at(5, 3)] = 0;
-  EXPECT_TRUE(godunov_step(view, 0.003, options()).admissible);
-  godunov_step(full.view(), 0.003, options());
+  EXPECT_TRUE(godunov_step(view, 0.003, gas_options()).admissible);
+  godunov_step(full.view(), 0.003, gas_options());
   for (int j = 0; j < 8; ++j)
     for (int i = 0; i < 16; ++i)
       EXPECT_TRUE(
           same_bits(scene.tile.after(i, j), i == 5 && j == 3 ? scene.tile.before(i, j) : full.tile.after(i, j)));
   scene.tile.now.component(1)[scene.tile.shape.at(9, 3)] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(godunov_step(view, 0.003, options()).admissible);
-  EXPECT_FALSE(wave_rate(view, options()).admissible);
+  EXPECT_FALSE(godunov_step(view, 0.003, gas_options()).admissible);
+  EXPECT_FALSE(wave_rate(view, gas_options()).admissible);
 }
 
 TEST(CurvilinearKernel, RateOfTheNewStateOnTheMovedGrid) {
   Scene scene({16, 8});
   const double dt = 1e-9;
-  const StepResult step = godunov_step(scene.view(), dt, options());
-  EXPECT_NEAR(step.rate, wave_rate(scene.view(), options()).rate, 1e-6 * step.rate);
+  const StepResult step = godunov_step(scene.view(), dt, gas_options());
+  EXPECT_NEAR(step.rate, wave_rate(scene.view(), gas_options()).rate, 1e-6 * step.rate);
 }
 
 /// A scene whose ghost cells below the wall must not be read: they are NaN.
@@ -184,7 +178,7 @@ TEST(CurvilinearKernel, GasMovingWithAWallFeelsNothing) {
   scene.nodes.move([&](int, int) { return w; });
   CurvilinearTile view = scene.view();
   view.south = {true, pressure.data()};
-  EXPECT_TRUE(godunov_step(view, 0.01, options()).admissible);
+  EXPECT_TRUE(godunov_step(view, 0.01, gas_options()).admissible);
   for (int j = 0; j < 8; ++j)
     for (int i = 0; i < 16; ++i) EXPECT_LT(distance(scene.tile.before(i, j), scene.tile.after(i, j)), 1e-14);
 }
@@ -199,13 +193,13 @@ TEST(CurvilinearKernel, WallPressurePushesAndWorksOnTheCellsAtTheWall) {
   scene.nodes.move([&](int, int) { return w; });
   CurvilinearTile view = scene.view();
   view.south = {true, pressure.data()};
-  godunov_step(view, dt, options());
+  godunov_step(view, dt, gas_options());
   for (int i = 0; i < 16; ++i) {
     const Conserved<2> a = scene.tile.after(i, 0), b = scene.tile.before(i, 0);
     EXPECT_NEAR(a.density, b.density, 1e-15);
     EXPECT_NEAR(a.momentum[0], b.momentum[0], 1e-15);
-    EXPECT_NEAR(a.momentum[1] - b.momentum[1], dt / h * excess, 1e-14);
-    EXPECT_NEAR(a.energy - b.energy, dt / h * excess * w[1], 1e-14);
+    EXPECT_NEAR(a.momentum[1] - b.momentum[1], dt / spacing * excess, 1e-14);
+    EXPECT_NEAR(a.energy - b.energy, dt / spacing * excess * w[1], 1e-14);
   }
 }
 
@@ -221,8 +215,8 @@ TEST(CurvilinearKernel, SlopeAtAWallIsThatOfTheParabolaThroughThreeCells) {
   pressure.assign(16, 1 + 0.0025);
   CurvilinearTile view = scene.view();
   view.south = {true, pressure.data()};
-  godunov_step(view, 0.01, options(Limiter::none));
-  godunov_step(open.view(), 0.01, options(Limiter::none));
+  godunov_step(view, 0.01, gas_options(Limiter::none));
+  godunov_step(open.view(), 0.01, gas_options(Limiter::none));
   for (int i = 0; i < 16; ++i) EXPECT_LT(distance(scene.tile.after(i, 1), open.tile.after(i, 1)), 1e-14);
 }
 

@@ -3,14 +3,13 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "unit/fluid/gas_options.hpp"
 #include "unit/reference_table.hpp"
 
 namespace mortise {
 namespace {
 
-using testing::number;
-
-constexpr double gamma_air = 1.4;
+using testing::gamma_air, testing::number;
 
 std::array<double, 3> flux(const Primitive<1>& W) {
   const double u = W.velocity[0], mass = W.density * u;

@@ -6,16 +6,17 @@
 #include "mortise/fluid/cell.hpp"
 #include "mortise/fluid/exact_riemann.hpp"
 #include "mortise/fluid/godunov_step.hpp"
+#include "unit/fluid/gas_options.hpp"
 
 namespace mortise {
 namespace {
 
-constexpr double gamma = 1.4;
+using testing::gamma_air, testing::gas_limiters, testing::gas_solvers;
 
-struct Line {
+struct LineTile {
   using StateOf = std::function<Primitive<1>(int)>;
-  Line(int n, const StateOf& state) : shape({n}), now(shape.plane, 3), next(shape.plane, 3) {
-    for (int i = -2; i < n + 2; ++i) put(now, shape.at(i), to_conserved(state(i), gamma));
+  LineTile(int n, const StateOf& state) : shape({n}), now(shape.plane, 3), next(shape.plane, 3) {
+    for (int i = -2; i < n + 2; ++i) put(now, shape.at(i), to_conserved(state(i), gamma_air));
   }
   CartesianTile<1> view(double h) { return {&shape, now.component(0), next.component(0), {h}, nullptr}; }
   Conserved<1> before(int i) const { return get<1>(now, shape.at(i)); }
@@ -24,18 +25,15 @@ struct Line {
   TileBlock now, next;
 };
 
-[[gnu::noinline]] Primitive<1> wavy(int i) {
+[[gnu::noinline]] Primitive<1> wavy_line(int i) {
   return {1 + 0.4 * std::sin(1.3 * i), {0.6 * std::cos(0.8 * i)}, 1 + 0.5 * std::sin(2.1 * i + 1)};
 }
 
-const std::array<RiemannSolver, 3> solvers = {RiemannSolver::hllc, RiemannSolver::hlle, RiemannSolver::exact};
-const std::array<Limiter, 4> limiters = {Limiter::none, Limiter::minmod, Limiter::mc, Limiter::van_albada};
-
 TEST(LineKernel, UniformFlowStaysUniformToTheBitOnAMovingLine) {
-  for (const RiemannSolver solver : solvers) {
+  for (const RiemannSolver solver : gas_solvers) {
     StepOptions o;
     o.riemann = solver;
-    Line line(20, [](int) { return Primitive<1>{1.3, {0.7}, 0.9}; });
+    LineTile line(20, [](int) { return Primitive<1>{1.3, {0.7}, 0.9}; });
     EXPECT_TRUE(godunov_step(MovingLineTile{line.view(0.1), 0.45, {}, {}}, 0.02, o).admissible);
     for (int i = 0; i < 20; ++i) EXPECT_EQ(line.after(i).energy, line.before(i).energy);
   }
@@ -44,7 +42,7 @@ TEST(LineKernel, UniformFlowStaysUniformToTheBitOnAMovingLine) {
 /// Mean error of the density of Sod's problem at t = 0.2 on [0, 1].
 double sod_error(int n, const StepOptions& o, double* largest = nullptr) {
   const Primitive<1> L{1, {0}, 1}, R{0.125, {0}, 0.1};
-  Line line(n, [&](int i) { return i < n / 2 ? L : R; });
+  LineTile line(n, [&](int i) { return i < n / 2 ? L : R; });
   const double h = 1.0 / n;
   double t = 0, rate = wave_rate(line.view(h), o).rate;
   while (t < 0.2) {
@@ -58,7 +56,8 @@ double sod_error(int n, const StepOptions& o, double* largest = nullptr) {
   }
   double error = 0;
   for (int i = 0; i < n; ++i) {
-    const double difference = std::abs(line.before(i).density - sample(L, R, gamma, ((i + 0.5) * h - 0.5) / t).density);
+    const double difference =
+        std::abs(line.before(i).density - sample(L, R, gamma_air, ((i + 0.5) * h - 0.5) / t).density);
     error += difference * h;
     if (largest) *largest = std::max(*largest, difference);
   }
@@ -66,7 +65,7 @@ double sod_error(int n, const StepOptions& o, double* largest = nullptr) {
 }
 
 TEST(LineKernel, SodsProblemAgreesWithTheExactSolution) {
-  for (const RiemannSolver solver : solvers)
+  for (const RiemannSolver solver : gas_solvers)
     for (const Limiter limiter : {Limiter::minmod, Limiter::mc, Limiter::van_albada}) {
       StepOptions o;
       o.riemann = solver, o.limiter = limiter;
@@ -76,11 +75,11 @@ TEST(LineKernel, SodsProblemAgreesWithTheExactSolution) {
 
 TEST(LineKernel, MirroredFlowHasTheMirroredAnswerToTheBit) {
   const int n = 22;
-  for (const Limiter limiter : limiters) {
+  for (const Limiter limiter : gas_limiters) {
     StepOptions o;
     o.limiter = limiter;
-    Line line(n, wavy), image(n, [](int i) {
-      const Primitive<1> W = wavy(n - 1 - i);
+    LineTile line(n, wavy_line), image(n, [](int i) {
+      const Primitive<1> W = wavy_line(n - 1 - i);
       return Primitive<1>{W.density, {-W.velocity[0]}, W.pressure};
     });
     const double p = 1.7, q = 0.4;
@@ -96,8 +95,8 @@ TEST(LineKernel, MirroredFlowHasTheMirroredAnswerToTheBit) {
 
 TEST(LineKernel, LineMovingWithTheFrameSeesTheSameFlow) {
   const double w = 0.9;
-  Line rest(20, wavy), moving(20, [&](int i) {
-    Primitive<1> W = wavy(i);
+  LineTile rest(20, wavy_line), moving(20, [&](int i) {
+    Primitive<1> W = wavy_line(i);
     W.velocity[0] += w;
     return W;
   });
@@ -112,7 +111,7 @@ TEST(LineKernel, LineMovingWithTheFrameSeesTheSameFlow) {
 
 TEST(LineKernel, WallsExchangeMomentumAndWorkOnlyAndTheirGhostsAreNotRead) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), left = 1.3, right = 0.6, w = 0.2, h = 0.1, dt = 0.01;
-  Line line(16, wavy);
+  LineTile line(16, wavy_line);
   for (const int ghost : {-2, -1, 16, 17}) line.now.component(0)[line.shape.at(ghost)] = nan;
   EXPECT_TRUE(godunov_step(MovingLineTile{line.view(h), w, {true, &left}, {true, &right}}, dt, {}).admissible);
   double mass = 0, momentum = 0, energy = 0;
@@ -127,7 +126,7 @@ TEST(LineKernel, WallsExchangeMomentumAndWorkOnlyAndTheirGhostsAreNotRead) {
 }
 
 TEST(LineKernel, MaskAndNaN) {
-  Line line(16, wavy);
+  LineTile line(16, wavy_line);
   std::vector<std::uint8_t> active(line.shape.plane, 1);
   active[line.shape.at(7)] = 0;
   CartesianTile<1> view = line.view(0.1);
@@ -141,10 +140,10 @@ TEST(LineKernel, MaskAndNaN) {
 }
 
 TEST(LineKernel, EveryEvenWidthGivesTheSameBits) {
-  Line whole(64, wavy);
+  LineTile whole(64, wavy_line);
   godunov_step(whole.view(0.1), 0.01, {});
   for (int n = 2; n < 64; n += 2) {
-    Line part(n, wavy);
+    LineTile part(n, wavy_line);
     godunov_step(part.view(0.1), 0.01, {});
     for (int i = 0; i < n; ++i) EXPECT_EQ(part.after(i).energy, whole.after(i).energy);
   }

@@ -62,7 +62,7 @@ inline std::vector<double> piston_pressure(const std::vector<WallTrace<2>>& trac
     const Point<2> moved = 0.5 * (end.node(i, 0) - start.node(i, 0) + end.node(i + 1, 0) - start.node(i + 1, 0));
     const Primitive<2>& gas = traces[static_cast<std::size_t>(i)].half;
     const Point<2> slip = moved / dt - Point<2>(gas.velocity[0], gas.velocity[1]);
-    pressure.push_back(wall_response(gas.density, gas.pressure, slip.dot(normal), testing::gamma).pressure);
+    pressure.push_back(wall_response(gas.density, gas.pressure, slip.dot(normal), gamma_air).pressure);
   }
   return pressure;
 }
@@ -124,7 +124,7 @@ class MeshRun {
   double largest_difference(const StateFunction<2>& exact) const {
     double largest = 0;
     for_each([&](const Point<2>& x, double, const Conserved<2>& U) {
-      largest = std::max(largest, distance(to_conserved(exact(x, time_), testing::gamma), U));
+      largest = std::max(largest, distance(to_conserved(exact(x, time_), gamma_air), U));
     });
     return largest;
   }
@@ -159,7 +159,7 @@ class MeshRun {
 
   EulerSetup<2> setup(bool wall, const Sides& sides, const StateFunction<2>& exact, Index<2> tile, const StepOptions& options) const {
     EulerSetup<2> setup;
-    setup.gas.gamma = testing::gamma;
+    setup.gas.gamma = gamma_air;
     setup.options = options;
     setup.boundaries.exact = exact;
     setup.boundaries.inflow = exact(Point<2>::Zero(), 0);

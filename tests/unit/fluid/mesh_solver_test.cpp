@@ -234,7 +234,7 @@ TEST(MeshStrip, ThatBreathesFindsTheSameShockTube) {
     run.run(0.2);
     double error = 0, volume = 0;
     run.for_each([&](const Point<2>& x, double of_cell, const Conserved<2>& U) {
-      error += of_cell * std::fabs(U.density - sample(sod(0), sod(1), testing::gamma, (x[1] - 0.5) / 0.2).density);
+      error += of_cell * std::fabs(U.density - sample(sod(0), sod(1), gamma_air, (x[1] - 0.5) / 0.2).density);
       volume += of_cell;
     });
     return error / volume;

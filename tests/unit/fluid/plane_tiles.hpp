@@ -8,10 +8,10 @@
 
 #include "mortise/fluid/cell.hpp"
 #include "mortise/fluid/godunov_step.hpp"
+#include "unit/fluid/gas_options.hpp"
+#include "unit/noise.hpp"
 
 namespace mortise::testing {
-
-constexpr double gamma = 1.4;
 
 /// A plane tile and its ghosts.
 struct PlaneTile {
@@ -23,11 +23,11 @@ struct PlaneTile {
 
   void fill(const StateOf& state) {
     for (int j = -2; j < shape.cells[1] + 2; ++j)
-      for (int i = -2; i < shape.cells[0] + 2; ++i) put(now, shape.at(i, j), to_conserved(state(i, j), gamma));
+      for (int i = -2; i < shape.cells[0] + 2; ++i) put(now, shape.at(i, j), to_conserved(state(i, j), gamma_air));
   }
   Conserved<2> before(int i, int j) const { return get<2>(now, shape.at(i, j)); }
   Conserved<2> after(int i, int j) const { return get<2>(next, shape.at(i, j)); }
-  Primitive<2> primitive(int i, int j) const { return to_primitive(before(i, j), gamma); }
+  Primitive<2> primitive(int i, int j) const { return to_primitive(before(i, j), gamma_air); }
 
   void copy_periodic_ghosts() {
     const int nx = shape.cells[0], ny = shape.cells[1];
@@ -89,13 +89,6 @@ inline double distance(const Conserved<2>& a, const Conserved<2>& b) {
   return {1 + 0.3 * std::sin(2.1 * x + 0.7) * std::cos(1.3 * y),
           {0.4 * std::cos(1.7 * y + x), -0.3 + 0.5 * std::sin(0.9 * x - y)},
           1.2 + 0.4 * std::cos(1.1 * x + 1.9 * y)};
-}
-/// Numbers in [0, 1) without any pattern from cell to cell, the same with every compiler.
-inline double noise(int i, int j, int k = 0) {
-  auto n = static_cast<std::uint32_t>(i + 100) * 73856093u ^ static_cast<std::uint32_t>(j + 100) * 19349663u ^
-           static_cast<std::uint32_t>(k + 100) * 83492791u;
-  for (int round = 0; round < 3; ++round) n = (n ^ (n >> 15)) * 0x2c1b3c6du;
-  return (n >> 8) * 0x1p-24;
 }
 inline Primitive<2> noisy_state(int i, int j) {
   return {0.2 + noise(i, j, 1), {2 * noise(i, j, 2) - 1, 2 * noise(i, j, 3) - 1}, 0.1 + noise(i, j, 4)};

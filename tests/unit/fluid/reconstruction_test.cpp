@@ -5,10 +5,12 @@
 
 #include <cmath>
 
+#include "unit/fluid/gas_options.hpp"
+
 namespace mortise {
 namespace {
 
-constexpr double gamma = 1.4;
+using testing::gamma_air;
 using Line = Primitive<1>;
 
 TEST(Reconstruction, SlopesOfALineAreExact) {
@@ -31,7 +33,7 @@ TEST(Reconstruction, FaceValuesStayPositive) {
 TEST(Reconstruction, UniformFlowPassesTheHalfStepUnchanged) {
   const Line W{1.3, {0.7}, 2.1};
   const HalfSlopes<1, double> none{};
-  const Line half = half_step(W, 1 / W.density, none, HalfStepTerms<1, double>{{0.3}, 0, {0}}, gamma);
+  const Line half = half_step(W, 1 / W.density, none, HalfStepTerms<1, double>{{0.3}, 0, {0}}, gamma_air);
   EXPECT_EQ(half.density, W.density);
   EXPECT_EQ(half.velocity[0], W.velocity[0]);
   EXPECT_EQ(half.pressure, W.pressure);
@@ -45,7 +47,7 @@ TEST(Reconstruction, HalfStepIsTheQuasiLinearFormInTwoDirections) {
   h[0] = {0.05, {0.1, -0.05}, 0.025};
   h[1] = {-0.1, {0.15, 0.2}, 0.075};
   const double courant[2] = {dt / hx, dt / hy};
-  const Primitive<2> half = half_step(W, 1 / W.density, h, cartesian_terms(W, h, courant), gamma);
+  const Primitive<2> half = half_step(W, 1 / W.density, h, cartesian_terms(W, h, courant), gamma_air);
   const double div = dx.velocity[0] / hx + dy.velocity[1] / hy;
   const auto advect = [&](double x, double y) { return W.velocity[0] * x / hx + W.velocity[1] * y / hy; };
   EXPECT_NEAR(half.density, W.density - 0.5 * dt * (advect(dx.density, dy.density) + W.density * div), 1e-15);
@@ -55,7 +57,7 @@ TEST(Reconstruction, HalfStepIsTheQuasiLinearFormInTwoDirections) {
   EXPECT_NEAR(half.velocity[1],
               W.velocity[1] - 0.5 * dt * (advect(dx.velocity[1], dy.velocity[1]) + dy.pressure / hy / W.density),
               1e-15);
-  EXPECT_NEAR(half.pressure, W.pressure - 0.5 * dt * (advect(dx.pressure, dy.pressure) + gamma * W.pressure * div),
+  EXPECT_NEAR(half.pressure, W.pressure - 0.5 * dt * (advect(dx.pressure, dy.pressure) + gamma_air * W.pressure * div),
               1e-15);
 }
 

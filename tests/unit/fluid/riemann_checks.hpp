@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mortise/fluid/face.hpp"
+#include "unit/fluid/gas_options.hpp"
 
 namespace mortise::testing {
 

@@ -13,7 +13,7 @@ TEST(WallTrace, LineAtRestExtrapolatesLinearly) {
   TileShape<1> shape({8});
   TileBlock now(shape.plane, 3);
   for (int i = 0; i < 8; ++i)
-    put(now, shape.at(i), to_conserved(Primitive<1>{1 + 0.1 * i, {0}, 2 - 0.05 * i}, testing::gamma));
+    put(now, shape.at(i), to_conserved(Primitive<1>{1 + 0.1 * i, {0}, 2 - 0.05 * i}, gamma_air));
   const MovingLineTile tile{{&shape, now.component(0), nullptr, {0.5}, nullptr}, 0, {}, {}};
   const double dt = 0.1;
   const WallTrace1 left = wall_trace(tile, false, dt, {}), right = wall_trace(tile, true, dt, {});
@@ -31,7 +31,7 @@ TEST(WallTrace, LineExtrapolatesWithTheSlopeOfTheParabolaThroughThreeCells) {
   TileShape<1> shape({8});
   TileBlock now(shape.plane, 3);
   for (int i = 0; i < 8; ++i)
-    put(now, shape.at(i), to_conserved(Primitive<1>{1 + 0.01 * i * i, {0}, 2 - 0.05 * i}, testing::gamma));
+    put(now, shape.at(i), to_conserved(Primitive<1>{1 + 0.01 * i * i, {0}, 2 - 0.05 * i}, gamma_air));
   const MovingLineTile tile{{&shape, now.component(0), nullptr, {0.5}, nullptr}, 0, {}, {}};
   StepOptions options;
   options.limiter = Limiter::none;
@@ -44,8 +44,8 @@ TEST(WallTrace, EndsOfAMirroredLineAreMirrorImages) {
   TileBlock a(shape.plane, 3), b(shape.plane, 3);
   for (int i = 0; i < 8; ++i) {
     const Primitive<1> W{1 + 0.3 * noise(i, 0), {noise(i, 1)}, 1 + noise(i, 2)};
-    put(a, shape.at(i), to_conserved(W, testing::gamma));
-    put(b, shape.at(7 - i), to_conserved(Primitive<1>{W.density, {-W.velocity[0]}, W.pressure}, testing::gamma));
+    put(a, shape.at(i), to_conserved(W, gamma_air));
+    put(b, shape.at(7 - i), to_conserved(Primitive<1>{W.density, {-W.velocity[0]}, W.pressure}, gamma_air));
   }
   const MovingLineTile s{{&shape, a.component(0), nullptr, {0.5}, nullptr}, 0.3, {}, {}};
   const MovingLineTile t{{&shape, b.component(0), nullptr, {0.5}, nullptr}, -0.3, {}, {}};
@@ -59,7 +59,7 @@ TEST(WallTrace, SteepProfileFallsBackToTheCellAverage) {
   TileShape<1> shape({4});
   TileBlock now(shape.plane, 3);
   for (int i = 0; i < 4; ++i)
-    put(now, shape.at(i), to_conserved(Primitive<1>{1, {i * 30.0}, i == 0 ? 0.01 : 1}, testing::gamma));
+    put(now, shape.at(i), to_conserved(Primitive<1>{1, {i * 30.0}, i == 0 ? 0.01 : 1}, gamma_air));
   const MovingLineTile tile{{&shape, now.component(0), nullptr, {0.5}, nullptr}, 0, {}, {}};
   const WallTrace1 trace = wall_trace(tile, false, 0.1, {});
   EXPECT_NEAR(trace.now.pressure, 0.001, 1e-15);  // half a slope takes 0.9 of it

@@ -10,7 +10,7 @@ namespace {
 
 using namespace testing;
 
-constexpr int nx = 12, ny = 8;
+constexpr int cells_x = 12, cells_y = 8;
 
 /// Traction and velocity on all four sides of a tile.
 struct Sides {
@@ -26,12 +26,12 @@ struct Sides {
 };
 Sides all_sides() {
   Sides sides;
-  for (const std::size_t side : {0u, 1u, 2u, 3u}) sides.set(side, side < 2 ? ny : nx);
+  for (const std::size_t side : {0u, 1u, 2u, 3u}) sides.set(side, side < 2 ? cells_y : cells_x);
   return sides;
 }
 SolidTile noisy_tile(StressLaw law, bool curvilinear, double size = 0.05) {
-  SolidTile tile(law, {nx, ny}, [=](int i, int j) { return noisy_state(law, size, i, j); });
-  if (curvilinear) tile.place([](int i, int j) { return wavy_node(i, j, nx, ny, 0.2); });
+  SolidTile tile(law, {cells_x, cells_y}, [=](int i, int j) { return noisy_state(law, size, i, j); });
+  if (curvilinear) tile.place([](int i, int j) { return wavy_node(i, j, cells_x, cells_y, 0.2); });
   return tile;
 }
 /// Lower left and upper right corner of a cell and the other two, in reference coordinates.
@@ -50,17 +50,17 @@ Point<2> outward(const SolidTile& tile, Side side, int k) {
     case Side::west:
       return right_of(node(tile, 0, k + 1), node(tile, 0, k));
     case Side::east:
-      return right_of(node(tile, nx, k), node(tile, nx, k + 1));
+      return right_of(node(tile, cells_x, k), node(tile, cells_x, k + 1));
     case Side::south:
       return right_of(node(tile, k, 0), node(tile, k + 1, 0));
     case Side::north:
       break;
   }
-  return right_of(node(tile, k + 1, ny), node(tile, k, ny));
+  return right_of(node(tile, k + 1, cells_y), node(tile, k, cells_y));
 }
 
 const std::array<Side, 4> every_side = {Side::west, Side::east, Side::south, Side::north};
-int faces(Side side) { return side == Side::west || side == Side::east ? ny : nx; }
+int faces(Side side) { return side == Side::west || side == Side::east ? cells_y : cells_x; }
 
 TEST(ElasticSides, PrescribedFluxesChangeMomentumAndDeformationByWhatTheySay) {
   const double dt = 0.1;
@@ -84,8 +84,8 @@ TEST(ElasticSides, PrescribedFluxesChangeMomentumAndDeformationByWhatTheySay) {
       elastic_step(step, dt, o);
       Point<2> momentum(0, 0);
       Numbers sum{};
-      for (int j = 0; j < ny; ++j)
-        for (int i = 0; i < nx; ++i)
+      for (int j = 0; j < cells_y; ++j)
+        for (int i = 0; i < cells_x; ++i)
           for (std::size_t c = 0; c < 8; ++c) sum[c] += area(tile, i, j) * (tile.after(i, j)[c] - tile.before(i, j)[c]);
       momentum = o.material.density * Point<2>(sum[0], sum[1]);
       EXPECT_LT((momentum - dt * force).norm(), 1e-13);
@@ -107,11 +107,11 @@ TEST(ElasticSides, TracesOfUniformStatesAreTheState) {
     for (const bool curvilinear : {false, true}) {
       const ElasticOptions o = elastic_options(law);
       const Gradient A = (Gradient() << 1.2, 0.1, 0.1, 0.9).finished();
-      SolidTile tile(law, {nx, ny}, [&](int, int) {
+      SolidTile tile(law, {cells_x, cells_y}, [&](int, int) {
         return law == StressLaw::linear ? Numbers{0.3, -0.2, 1.2, 0.1, 0.9, 0, 0, 0}
                                         : Numbers{0.3, -0.2, 1.2, 0.1, 0.1, 0.9, 0, 0};
       });
-      if (curvilinear) tile.place([](int i, int j) { return wavy_node(i, j, nx, ny, 0.2); });
+      if (curvilinear) tile.place([](int i, int j) { return wavy_node(i, j, cells_x, cells_y, 0.2); });
       for (const Side side : every_side) {
         std::vector<ElasticTrace> traces(static_cast<std::size_t>(faces(side)));
         elastic_traces(tile.tile(), side, 0.2, o, traces.data());
@@ -137,7 +137,7 @@ TEST(ElasticSides, AFreeRiemannProblemOfTracesIsTheKernelsOwnFlux) {
     for (const ElasticLimiter limiter : all_limiters)
       for (const bool curvilinear : {false, true}) {
         const ElasticOptions o = elastic_options(law, limiter);
-        SolidTile tile(law, {nx, ny}, [&](int i, int j) {
+        SolidTile tile(law, {cells_x, cells_y}, [&](int i, int j) {
           const bool mirrored = j < 0;
           Numbers W = noisy_state(law, 0.02, i, mirrored ? -1 - j : j);
           if (mirrored) {
@@ -151,12 +151,12 @@ TEST(ElasticSides, AFreeRiemannProblemOfTracesIsTheKernelsOwnFlux) {
             return Point<2>(i + 0.2 * std::sin(i) * std::cos(0.5 * j), j * (1 + 0.1 * std::sin(0.7 * i)));
           });
         const double dt = 0.1;
-        std::vector<ElasticTrace> traces(nx);
+        std::vector<ElasticTrace> traces(cells_x);
         elastic_traces(tile.tile(), Side::south, dt, o, traces.data());
         elastic_step(tile.tile(), dt, o);
         const TileBlock& own = tile.next;
         std::vector<Numbers> expected;
-        for (int i = 0; i < nx; ++i) expected.push_back(SolidTile::get(own, tile.shape, tile.components, i, 0));
+        for (int i = 0; i < cells_x; ++i) expected.push_back(SolidTile::get(own, tile.shape, tile.components, i, 0));
         // v = v_s + Z⁻¹(t − t_s) with t_x = 0 and v_y = 0; t_y follows
         std::vector<Point<2>> traction, velocity;
         for (const ElasticTrace& s : traces) {
@@ -172,10 +172,10 @@ TEST(ElasticSides, AFreeRiemannProblemOfTracesIsTheKernelsOwnFlux) {
         elastic_step(step, dt, o);
         // The impedances differ (mean of the mirrored sides here, one side there), for linear waves they do not.
         if (law == StressLaw::linear)
-          for (int i = 0; i < nx; ++i)
+          for (int i = 0; i < cells_x; ++i)
             EXPECT_LT(distance(tile.after(i, 0), expected[static_cast<std::size_t>(i)]), 1e-13);
         else
-          for (int i = 0; i < nx; ++i)
+          for (int i = 0; i < cells_x; ++i)
             for (const std::size_t c : {0u, 1u})
               EXPECT_NEAR(tile.after(i, 0)[c], expected[static_cast<std::size_t>(i)][c], 2e-4);
       }
@@ -189,20 +189,20 @@ TEST(ElasticSides, ExtrapolatedGhostsContinueParabolas) {
   };
   const StressLaw law = StressLaw::neo_hookean;
   for (const Side side : every_side) {
-    SolidTile tile(law, {nx, ny}, parabola);
+    SolidTile tile(law, {cells_x, cells_y}, parabola);
     const bool along_x = side == Side::south || side == Side::north;
     for (int c = 0; c < tile.components; ++c)
-      for (int j = -2; j < ny + 2; ++j)
-        for (int i = -2; i < nx + 2; ++i) {
-          const bool inside = along_x ? j >= 0 && j < ny : i >= 0 && i < nx;
+      for (int j = -2; j < cells_y + 2; ++j)
+        for (int i = -2; i < cells_x + 2; ++i) {
+          const bool inside = along_x ? j >= 0 && j < cells_y : i >= 0 && i < cells_x;
           if (!inside) tile.now.component(c)[tile.shape.at(i, j)] = -100;
         }
-    const int other = along_x ? nx : ny;
+    const int other = along_x ? cells_x : cells_y;
     extrapolate_ghosts(tile.shape, tile.now, side, -2, other + 2, elastic_options(law));
     for (int k = -2; k < other + 2; ++k)
       for (const int depth : {1, 2}) {
-        const int i = side == Side::west ? -depth : side == Side::east ? nx - 1 + depth : k;
-        const int j = side == Side::south ? -depth : side == Side::north ? ny - 1 + depth : k;
+        const int i = side == Side::west ? -depth : side == Side::east ? cells_x - 1 + depth : k;
+        const int j = side == Side::south ? -depth : side == Side::north ? cells_y - 1 + depth : k;
         EXPECT_EQ(tile.before(i, j), parabola(i, j)) << i << " " << j;
       }
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mortise/solid/elastic_step.hpp"
+#include "unit/noise.hpp"
 
 namespace mortise::testing {
 
@@ -102,13 +103,6 @@ inline double distance(const Numbers& a, const Numbers& b) {
   return largest;
 }
 
-/// Numbers in [0, 1) without any pattern from cell to cell, the same with every compiler.
-inline double noise(int i, int j, int k = 0) {
-  auto n = static_cast<std::uint32_t>(i + 100) * 73856093u ^ static_cast<std::uint32_t>(j + 100) * 19349663u ^
-           static_cast<std::uint32_t>(k + 100) * 83492791u;
-  for (int round = 0; round < 3; ++round) n = (n ^ (n >> 15)) * 0x2c1b3c6du;
-  return (n >> 8) * 0x1p-24;
-}
 /// A state at rest with noise of the given size in all components.
 inline Numbers noisy_state(StressLaw law, double size, int i, int j) {
   Numbers W = at_rest(law);

@@ -8,7 +8,7 @@
 namespace mortise {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Material material(StressLaw law) { return {law, 1.0, 2.0, 0.5}; }
 

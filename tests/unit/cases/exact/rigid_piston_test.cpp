@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "mortise/fluid/exact_riemann.hpp"
 #include "mortise/grids/core/error.hpp"
@@ -13,7 +14,7 @@ namespace {
 
 using testing::number;
 
-const double pi = std::acos(-1.0);
+using std::numbers::pi;
 
 CaseDescription scene(double mass, double width) {
   CaseDescription description;

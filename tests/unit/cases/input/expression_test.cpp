@@ -11,7 +11,7 @@
 namespace mortise {
 namespace {
 
-std::string error_of(const std::string& formula) {
+std::string error_of_formula(const std::string& formula) {
   try {
     Expression(formula, {"t"});
   } catch (const InputError& error) {
@@ -60,20 +60,20 @@ TEST(Expression, CopiesHaveVariablesOfTheirOwn) {
 }
 
 TEST(Expression, UnknownNameIsPlacedAndSuggested) {
-  const std::string error = error_of("1 + sine(t)");
+  const std::string error = error_of_formula("1 + sine(t)");
   EXPECT_NE(error.find("\"1 + sine(t)\""), std::string::npos) << error;
   EXPECT_NE(error.find("\"sine\" at character 5"), std::string::npos) << error;
   EXPECT_NE(error.find("did you mean \"sin\"?"), std::string::npos) << error;
 }
 
 TEST(Expression, SyntaxErrors) {
-  EXPECT_NE(error_of("sin(t"), "");
-  EXPECT_NE(error_of("2*").find("character"), std::string::npos) << error_of("2*");
-  EXPECT_NE(error_of("").find("nothing to evaluate"), std::string::npos);
-  EXPECT_NE(error_of("1, 2").find("comma"), std::string::npos) << error_of("1, 2");
-  EXPECT_NE(error_of("t = 3").find("\"=\" at character 3"), std::string::npos) << error_of("t = 3");
-  EXPECT_NE(error_of("x").find("\"x\" at character 1"), std::string::npos) << error_of("x");
-  EXPECT_EQ(error_of("t == 3"), "");
+  EXPECT_NE(error_of_formula("sin(t"), "");
+  EXPECT_NE(error_of_formula("2*").find("character"), std::string::npos) << error_of_formula("2*");
+  EXPECT_NE(error_of_formula("").find("nothing to evaluate"), std::string::npos);
+  EXPECT_NE(error_of_formula("1, 2").find("comma"), std::string::npos) << error_of_formula("1, 2");
+  EXPECT_NE(error_of_formula("t = 3").find("\"=\" at character 3"), std::string::npos) << error_of_formula("t = 3");
+  EXPECT_NE(error_of_formula("x").find("\"x\" at character 1"), std::string::npos) << error_of_formula("x");
+  EXPECT_EQ(error_of_formula("t == 3"), "");
 }
 
 }  // namespace

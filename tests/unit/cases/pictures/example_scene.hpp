@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mortise/grids/output/image.hpp"
 #include "mortise/grids/output/snapshot.hpp"
 
 namespace mortise::test {
@@ -70,6 +71,12 @@ Snapshot scene(const std::string& field, Function function) {
     snapshot.outlines[0].emplace_back(scene_radius * std::cos(angle), scene_radius * std::sin(angle));
   }
   return snapshot;
+}
+
+/// Pixel of a physical point in a picture of the example scene that is 600 wide, with a colour bar or without.
+inline Rgb pixel(const Image& image, double x, double y, bool bar = true) {
+  const double unit = 0.5, left = std::lround(66 * unit), scale = (600 - (66 + (bar ? 104 : 24)) * unit) / 4;
+  return image.at(static_cast<int>(left + (x + 2) * scale), static_cast<int>(44 * unit + (1.5 - y) * scale));
 }
 
 }  // namespace mortise::test

@@ -11,31 +11,31 @@
 namespace mortise {
 namespace {
 
-constexpr double outer = 0.6, inner = 0.25;  // radii of a ring on the cells of the fluid
-constexpr int cells = 40;
+constexpr double outer_radius = 0.6, inner_radius = 0.25;  // radii of a ring on the cells of the fluid
+constexpr int cells_across = 40;
 
 /// A square, [−1, 1]², of which the ring covers cells as a reference map does: those partly solid hold no fluid.
 Snapshot ring_in_fluid() {
-  const double h = 2.0 / cells;
+  const double h = 2.0 / cells_across;
   Snapshot snapshot;
   for (const bool solid : {false, true}) {
     GridSnapshot grid;
     grid.solid = solid;
-    grid.cells = {cells, cells};
-    for (int j = 0; j <= cells; ++j)
-      for (int i = 0; i <= cells; ++i) grid.x.push_back(i * h - 1), grid.y.push_back(j * h - 1);
+    grid.cells = {cells_across, cells_across};
+    for (int j = 0; j <= cells_across; ++j)
+      for (int i = 0; i <= cells_across; ++i) grid.x.push_back(i * h - 1), grid.y.push_back(j * h - 1);
     std::vector<double> values;
-    for (int j = 0; j < cells; ++j)
-      for (int i = 0; i < cells; ++i) {
+    for (int j = 0; j < cells_across; ++j)
+      for (int i = 0; i < cells_across; ++i) {
         const double x = (i + 0.5) * h - 1, r = std::hypot(x, (j + 0.5) * h - 1);
-        const double distance = std::max(r - outer, inner - r);
+        const double distance = std::max(r - outer_radius, inner_radius - r);
         grid.mask.push_back((solid ? distance < 0 : distance > 1.3 * h) ? mask_active : mask_hole);
         values.push_back(solid ? 1.0 : 2 + x);
       }
     grid.fields.emplace_back(solid ? "von_mises" : "density", values);
     snapshot.grids.push_back(grid);
   }
-  for (const double radius : {outer, inner}) {
+  for (const double radius : {outer_radius, inner_radius}) {
     snapshot.surfaces.emplace_back();
     for (int k = 0; k < 128; ++k)
       snapshot.surfaces.back().emplace_back(radius * std::cos(std::numbers::pi * k / 64),
@@ -61,9 +61,9 @@ TEST(MappedSolidPicture, SolidAndFluidMeetAtTheSurface) {
   for (int k = 0; k < 200; ++k) {
     const double angle = 2 * std::numbers::pi * k / 200;
     const auto fluid = [&](double r) { return color_at(sequential_map(), (r * std::cos(angle) + 0.975) / 1.95); };
-    for (const double r : {outer + 3 * pixel, inner - 3 * pixel})
+    for (const double r : {outer_radius + 3 * pixel, inner_radius - 3 * pixel})
       EXPECT_LT(difference(at(r, angle), fluid(r)), 30) << r << " " << angle;
-    for (const double r : {outer - 3 * pixel, inner + 3 * pixel})
+    for (const double r : {outer_radius - 3 * pixel, inner_radius + 3 * pixel})
       EXPECT_LT(difference(at(r, angle), color_at(stress_map(), 1)), 4) << r << " " << angle;
   }
 }

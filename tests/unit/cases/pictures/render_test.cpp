@@ -14,11 +14,7 @@ namespace {
 
 bool grey(Rgb c) { return c.red == c.green && c.green == c.blue; }
 
-/// Pixel of a physical point in a picture of the example scene that is 600 wide and has a colour bar.
-Rgb pixel(const Image& image, double x, double y, bool bar = true) {
-  const double unit = 0.5, left = std::lround(66 * unit), scale = (600 - (66 + (bar ? 104 : 24)) * unit) / 4;
-  return image.at(static_cast<int>(left + (x + 2) * scale), static_cast<int>(44 * unit + (1.5 - y) * scale));
-}
+using test::pixel;
 
 RenderOptions options(const std::string& field) {
   RenderOptions result;

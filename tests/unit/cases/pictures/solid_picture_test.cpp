@@ -12,11 +12,7 @@
 namespace mortise {
 namespace {
 
-/// Pixel of a physical point in a picture of the example scene that is 600 wide and has a colour bar.
-Rgb pixel(const Image& image, double x, double y) {
-  const double unit = 0.5, left = std::lround(66 * unit), scale = (600 - (66 + 104) * unit) / 4;
-  return image.at(static_cast<int>(left + (x + 2) * scale), static_cast<int>(44 * unit + (1.5 - y) * scale));
-}
+using test::pixel;
 
 Image rendered(const Snapshot& snapshot, const std::string& field) {
   RenderOptions options;

@@ -2,13 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace mortise {
 namespace {
 
-constexpr double pi = 3.141592653589793;
+using std::numbers::pi;
 
 /// [−1, 1]² in tiles, a body, by default a disk of radius 0.5 around (0.1, 0), and what a flow makes of it.
 class Scene {

@@ -10,7 +10,7 @@
 namespace mortise {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 void expect_mirrored(const GrownGrid& grid) {
   double about_x = 0, about_y = 0;

@@ -8,7 +8,7 @@
 namespace mortise {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 std::vector<Point<2>> sampled(const Outline& outline, const Point<2>& position) {
   std::vector<Point<2>> samples;

@@ -13,7 +13,7 @@
 namespace mortise {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 std::string complaint(const std::function<Outline()>& make) {
   try {

@@ -12,7 +12,7 @@
 namespace mortise {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 std::vector<Point<2>> on_ellipse(int count, double a, double b) {
   std::vector<Point<2>> points;

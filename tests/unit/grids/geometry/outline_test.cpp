@@ -8,7 +8,7 @@
 namespace mortise {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(Outline, CircleHasItsExactMeasures) {
   const Outline circle = Outline::circle(0.5);

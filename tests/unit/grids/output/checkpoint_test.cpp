@@ -20,7 +20,7 @@ std::vector<double> numbers(std::size_t count) {
   return values;
 }
 
-void write_example(const std::string& path) {
+void write_checkpoint(const std::string& path) {
   CheckpointWriter writer(path);
   writer.write("background/density", numbers(10000));
   writer.write("step", std::vector<std::int64_t>{812});
@@ -42,7 +42,7 @@ std::string refusal(Action action) {
 
 TEST(Checkpoint, ReturnsEveryBit) {
   const ScratchFolder folder;
-  write_example(folder / "c.h5");
+  write_checkpoint(folder / "c.h5");
   const CheckpointReader reader(folder / "c.h5");
   const std::vector<double> read = reader.doubles("background/density"), written = numbers(10000);
   ASSERT_EQ(read.size(), written.size());
@@ -57,7 +57,7 @@ TEST(Checkpoint, ReturnsEveryBit) {
 
 TEST(Checkpoint, KeepsTheOldOneUntilTheNewOneIsFinished) {
   const ScratchFolder folder;
-  write_example(folder / "c.h5");
+  write_checkpoint(folder / "c.h5");
   const std::string before = read_file(folder / "c.h5");
   {
     CheckpointWriter writer(folder / "c.h5");
@@ -76,7 +76,7 @@ TEST(Checkpoint, RefusesAMissingFile) {
 
 TEST(Checkpoint, RefusesEveryTruncation) {
   const ScratchFolder folder;
-  write_example(folder / "c.h5");
+  write_checkpoint(folder / "c.h5");
   const std::string whole = read_file(folder / "c.h5");
   for (const double part : {0.0, 0.001, 0.1, 0.5, 0.9, 0.9999}) {
     write_file(folder / "cut.h5", whole.substr(0, static_cast<std::size_t>(part * static_cast<double>(whole.size()))));
@@ -87,7 +87,7 @@ TEST(Checkpoint, RefusesEveryTruncation) {
 
 TEST(Checkpoint, RefusesASingleFlippedBit) {
   const ScratchFolder folder;
-  write_example(folder / "c.h5");
+  write_checkpoint(folder / "c.h5");
   std::string bytes = read_file(folder / "c.h5");
   const double marker = numbers(5001).back();  // somewhere inside the data
   const std::size_t at = bytes.find(std::string(reinterpret_cast<const char*>(&marker), sizeof marker));
@@ -109,7 +109,7 @@ TEST(Checkpoint, RefusesOtherFilesOtherFormatsAndMissingVectors) {
   other.write_attribute("/", "mortise_checkpoint", checkpoint_format + 1);
   other.close();
   EXPECT_NE(refusal([&] { CheckpointReader reader(folder / "other.h5"); }).find("version 2"), std::string::npos);
-  write_example(folder / "c.h5");
+  write_checkpoint(folder / "c.h5");
   const CheckpointReader reader(folder / "c.h5");
   EXPECT_EQ(refusal([&] { reader.doubles("pressure"); }).find("cannot read the restart"), 0U);
 }
@@ -121,8 +121,8 @@ TEST(Checkpoint, ReportsAFolderThatIsNotThere) {
 
 TEST(Checkpoint, SameStateSameBytes) {
   const ScratchFolder folder;
-  write_example(folder / "a.h5");
-  write_example(folder / "b.h5");
+  write_checkpoint(folder / "a.h5");
+  write_checkpoint(folder / "b.h5");
   EXPECT_EQ(read_file(folder / "a.h5"), read_file(folder / "b.h5"));
 }
 

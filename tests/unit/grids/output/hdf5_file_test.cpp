@@ -14,7 +14,7 @@ namespace {
 
 using test::ScratchFolder;
 
-void write_example(const std::string& path) {
+void write_every_kind(const std::string& path) {
   HDF5File file = HDF5File::create(path);
   file.write("a/b/doubles", std::vector<double>{1.5, -0.0, std::numeric_limits<double>::infinity(), 4, 5, 6}, {2, 3});
   file.write("integers", std::vector<std::int64_t>{std::numeric_limits<std::int64_t>::min(), 7}, {2});
@@ -28,7 +28,7 @@ void write_example(const std::string& path) {
 
 TEST(HDF5File, ReturnsWhatWasWritten) {
   const ScratchFolder folder;
-  write_example(folder / "f.h5");
+  write_every_kind(folder / "f.h5");
   const HDF5File file = HDF5File::open(folder / "f.h5");
   EXPECT_EQ(file.read_doubles("a/b/doubles"),
             (std::vector<double>{1.5, -0.0, std::numeric_limits<double>::infinity(), 4, 5, 6}));
@@ -46,9 +46,9 @@ TEST(HDF5File, ReturnsWhatWasWritten) {
 
 TEST(HDF5File, SameDataGiveTheSameBytesAtAnotherTime) {
   const ScratchFolder folder;
-  write_example(folder / "f.h5");
+  write_every_kind(folder / "f.h5");
   std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // time stamps would count seconds
-  write_example(folder / "g.h5");
+  write_every_kind(folder / "g.h5");
   EXPECT_EQ(read_file(folder / "f.h5"), read_file(folder / "g.h5"));
 }
 
@@ -62,7 +62,7 @@ TEST(HDF5File, NamesFileAndDatasetInErrors) {
   const ScratchFolder folder;
   EXPECT_THROW(HDF5File::create(folder / "no/f.h5"), EnvironmentError);
   EXPECT_THROW(HDF5File::open(folder / "f.h5"), EnvironmentError);
-  write_example(folder / "f.h5");
+  write_every_kind(folder / "f.h5");
   const HDF5File file = HDF5File::open(folder / "f.h5");
   EXPECT_THROW(file.read_texts("integers"), EnvironmentError);
   EXPECT_THROW(file.double_attribute("/", "none"), EnvironmentError);
