@@ -49,7 +49,7 @@ Primitive<2> gas_of_mixture(const TileBlock& U, const TileBlock& part, double pr
 }
 
 /// What is left to the gas of a cell says little of it where this much or more of the cell is solid: such cells are holes.
-constexpr double most_solid_share = 0.1;
+constexpr double most_solid_share = 0.01;
 
 template <int Dim>
 GridSnapshot fluid_snapshot(const Simulation<Dim>& simulation, int g) {

@@ -72,7 +72,7 @@ std::vector<char> inside_surfaces(const Axes& axes, const Snapshot& snapshot) {
   return inside;
 }
 
-constexpr int layers_continued = 3;  // cells that are partly solid hold no gas, beside cells that are wholly gas
+constexpr int layers_continued = 4;  // cells that are partly solid hold no gas, beside cells that are wholly gas
 
 /// Values of cells without data beside others: the means of those of their neighbours, layer by layer.
 std::vector<double> continued(const GridSnapshot& grid, std::vector<double> values) {
