@@ -1,4 +1,5 @@
 // Solids in an incompressible flow by their reference maps, from the case files.
+#include "verification/clip.hpp"
 #include "verification/flow_case.hpp"
 
 namespace mortise::testing {
@@ -63,11 +64,7 @@ TEST(FlowSolids, SwellingMaterialTakesItsStretch) {
 
 // The two prongs of a clip are thrown against each other. They neither cross nor stick together.
 TEST(FlowSolids, PartsOfOneBodyMeetAndPart) {
-  const std::string solids =
-      R"([{shape="polygon", fillet=0.03, corners=[[-0.5, -0.35], [0.5, -0.35], [0.5, -0.15], [-0.3, -0.15], )"
-      R"([-0.3, 0.15], [0.5, 0.15], [0.5, 0.35], [-0.5, 0.35]], material={law="neo_hookean", density=3, lambda=1, )"
-      R"(mu=10}, initial={kind="formula", velocity=[0, "(y > 0 ? -1 : 1)*2.5*max(x + 0.4, 0)^2"]}}])";
-  FlowCase clip("spinning_disk", {"time.end=0.9", "solids=" + solids});
+  FlowCase clip("spinning_disk", {"time.end=0.9", "solids=" + thrown_clip});
   const auto gap = [&] {
     const MappedSolid solid = mapped_solids(clip.solids, clip.flow)[0];
     return material_point(solid, {0.45, 0.16})->x.y() - material_point(solid, {0.45, -0.16})->x.y();

@@ -60,6 +60,13 @@ TEST(ProgramRanks, SpinningDiskInALiquid) {
   EXPECT_EQ(summary_of(two)["ranks"], 2);
 }
 
+TEST(ProgramRanks, ClosingClipInALiquid) {
+  const ScratchFolder folder;
+  const std::string one = run(folder, "one", closing_clip(), 0), two = run(folder, "two", closing_clip(), 2);
+  ASSERT_GE(files_in(one).size(), 7U);
+  EXPECT_EQ(differences(one, two), std::vector<std::string>{});
+}
+
 TEST(ProgramRanks, CylindersInContact) {
   const ScratchFolder folder;
   expect_same(folder, {"many_cylinders", "--quiet", "--frames", "3", "--until", "1.2", "--set", "grid.factor=4"}, {3});

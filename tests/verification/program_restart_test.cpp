@@ -48,6 +48,7 @@ TEST_F(Restart, SoftSticksAsAReferenceMap) {
 }
 TEST_F(Restart, HoleInAPlate) { expect_same(hole_in_plate(), {"0.25", "0.3"}); }
 
+TEST_F(Restart, ClosingClipInALiquid) { expect_same(closing_clip(), {"0.27", "0.3"}); }  // while its parts touch
 TEST_F(Restart, SpinningDiskInALiquid) { expect_same(spinning_disk(), {"0.04", "0.05"}); }
 
 // The history that oscillations are found in goes on, too.

@@ -1,6 +1,7 @@
 // Small scenes in which a dependence on ranks, on skipping or on a restart would show.
 #pragma once
 
+#include "verification/clip.hpp"
 #include "verification/program_run.hpp"
 
 namespace mortise::testing {
@@ -71,20 +72,24 @@ inline Arguments hole_in_plate() {
 
 /// A soft disk that spins up the fluid around it, on 16 tiles, with a probe in each.
 inline Arguments spinning_disk() {
-  return {"spinning_disk",
-          "--quiet",
-          "--frames",
-          "2",
-          "--set",
-          "grid.tile=[16, 16]",
-          "--set",
-          "time.end=0.1",
-          "--set",
-          "output.picture_width=300",
-          "--set",
-          "output.checkpoint_interval=0.03",
-          "--set",
-          "probes=[{name=\"inside\", position=[0.25, 0]}, {name=\"outside\", position=[0.6, 0]}]"};
+  return {"spinning_disk", "--quiet",
+          "--frames",      "2",
+          "--set",         "grid.tile=[16, 16]",
+          "--set",         "time.end=0.1",
+          "--set",         "output.picture_width=300",
+          "--set",         "output.checkpoint_interval=0.03",
+          "--set",         "probes=[{name=\"inside\", position=[0.25, 0]}, {name=\"outside\", position=[0.6, 0]}]"};
+}
+
+/// A body whose parts meet each other, on 16 tiles.
+inline Arguments closing_clip() {
+  return {"spinning_disk", "--quiet",
+          "--frames",      "2",
+          "--set",         "grid.tile=[16, 16]",
+          "--set",         "time.end=0.4",
+          "--set",         "output.picture_width=300",
+          "--set",         "output.checkpoint_interval=0.1",
+          "--set",         "solids=" + thrown_clip};
 }
 
 }  // namespace mortise::testing
