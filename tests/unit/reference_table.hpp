@@ -14,7 +14,7 @@ using ReferenceRow = std::map<std::string, std::string>;
 
 /// All rows of tests/data/<name>, keyed by column. Throws std::runtime_error if the file is missing or empty.
 inline std::vector<ReferenceRow> reference_table(const std::string& name) {
-  std::ifstream file(std::string(MORTISE_TEST_DATA) + "/" + name);
+  std::ifstream file(MORTISE_TEST_DATA "/" + name);
   std::string line, field;
   if (!std::getline(file, line)) throw std::runtime_error("no reference data in " + name);
   std::vector<std::string> columns;
