@@ -178,7 +178,7 @@ std::array<double, 7> moments(const MappedSolid& solid, int t) {
   for (int j = window.low[1]; j < window.high[1]; ++j)
     for (int i = window.low[0]; i < window.high[0]; i += simd_width) {
       const std::size_t k = grid.shape.at(i, j);
-      const Pack phi = load(map.component(2) + k), det = map_determinant(map, k, grid.shape.stride, grid.spacing);
+      const Pack phi = load(map.component(2) + k), det = solid.map->determinant(map, k);
       const PackMask own = (load(map.component(3) + k) < solid.map->layers()) & (phi < solid.blur) & (det > 0) &
                            lanes_below(window.high[0] - i);
       if (!any(own)) continue;

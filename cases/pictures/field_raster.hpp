@@ -15,7 +15,7 @@ class FieldRaster {
   explicit FieldRaster(const Axes& axes);
 
   /// Adds a grid. values: one per cell, NaN where there is none (holes at least). priority: weight of this grid in
-  /// the interior of an overlap. beyond: also up to half a cell into holes, with what is beside them. Work: pixels
+  /// the interior of an overlap. beyond: into holes, too, where there are values. Work: pixels
   /// covered by the grid, plus its cells.
   void add(const GridSnapshot& grid, const std::vector<double>& values, double priority, bool beyond = false);
 

@@ -7,7 +7,7 @@ namespace mortise {
 namespace {
 
 constexpr Rgb curve_ink{24, 84, 168}, dot_ink{12, 52, 116};
-constexpr Rgb solid_curve_ink{190, 70, 20}, solid_dot_ink{130, 40, 8}, solid_stretch{255, 244, 226};
+constexpr Rgb solid_curve_ink{190, 70, 20}, solid_dot_ink{130, 40, 8}, solid_shade{255, 244, 226};
 
 /// Centres and values of one run of neighbouring active cells.
 struct Curve {
@@ -131,7 +131,7 @@ void shade_solids(Image& image, const Axes& axes, const Snapshot& snapshot, cons
     if (!grid.solid) continue;
     const Line line(grid, n);
     const auto [left, right] = std::minmax({line.at_face(0), line.at_face(line.cells())});
-    shade(image, axes, left, right, solid_stretch, unit);
+    shade(image, axes, left, right, solid_shade, unit);
   }
 }
 

@@ -13,8 +13,9 @@
 namespace mortise {
 namespace {
 
-// Cells around the outline in which the level set is tabulated: as far as blur zones reach in compressed material.
-constexpr double band = 6;
+/// Cells around the outline in which the level set is tabulated: as far as a blur zone reaches in material that is
+/// compressed by half, and a little more.
+double band(const CaseDescription& description) { return 2 * description.coupling.blur + 3; }
 
 }  // namespace
 
@@ -33,8 +34,8 @@ Point<2> reference_point(const SolidFunction& initial, const Point<2>& x) {
 
 std::shared_ptr<const LevelSet> level_set_of(const CaseDescription& description, const SolidDescription& from,
                                              double spacing) {
-  const auto level_set =
-      std::make_shared<LevelSet>(outline_of(from).centered().placed(pose_of(from)), 0.5 * spacing, band * spacing);
+  const auto level_set = std::make_shared<LevelSet>(outline_of(from).centered().placed(pose_of(from)), 0.5 * spacing,
+                                                    band(description) * spacing);
   double deepest = 0;
   const Box<2> box = level_set->box();
   for (double y = box.low.y(); y < box.high.y(); y += 0.5 * spacing)

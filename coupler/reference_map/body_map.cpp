@@ -260,9 +260,9 @@ bool BodyMap::admissible(const MapField& field) const {
   return !grid_.forest.communicator().any(any(bad));
 }
 
-Pack BodyMap::determinant(const TileBlock& block, std::size_t k) const {
-  return folded_ ? branch_determinant(block, k, grid_.shape.stride, grid_.spacing)
-                 : map_determinant(block, k, grid_.shape.stride, grid_.spacing);
+Pack BodyMap::determinant(const TileBlock& tile, std::size_t k) const {
+  return folded_ ? branch_determinant(tile, k, grid_.shape.stride, grid_.spacing)
+                 : map_determinant(tile, k, grid_.shape.stride, grid_.spacing);
 }
 
 }  // namespace mortise

@@ -65,6 +65,9 @@ class BodyMap {
   std::int64_t orphans() const { return orphans_; }
   /// Two parts of its surface are so close that nothing may be averaged across the gap (map_branches.hpp).
   bool folded() const { return folded_; }
+  /// det ∂ξ/∂x of the cells from offset k on, in a tile of field() or half(): by central differences, of a folded body
+  /// within one part of it.
+  Pack determinant(const TileBlock& tile, std::size_t k) const;
   /// Cells whose map was replaced because it did not keep its volume, over all steps on this rank.
   std::int64_t repaired() const { return repaired_; }
   std::size_t memory_bytes() const { return now_.memory_bytes() + half_.memory_bytes(); }
@@ -79,7 +82,6 @@ class BodyMap {
   void continue_band();
   void fill_band(double largest_jump);
   bool jumps() const;
-  Pack determinant(const TileBlock& block, std::size_t k) const;
   bool admissible(const MapField& field) const;
 
   Setup setup_;

@@ -22,9 +22,8 @@ MORTISE_INLINE Pack map_determinant(const TileBlock& map, std::size_t k, std::pt
 
 /// Fills the cells of layer `number` in the window (without ghosts) of a tile: ξ and the layer. Cells that have a
 /// neighbour of a lower layer but too few neighbours for a plane are left, and counted: the return value.
-/// `largest_jump` > 0: only neighbours count whose ξ differs from that of the nearest one by at most so much times
-/// their distance in cells (map_branches.hpp).
-int extend_layer(const TileShape<2>& shape, const TileWindow& window, int number, TileBlock& map,
-                 double largest_jump = 0);
+/// `largest_jump` > 0 (0: all count): only neighbours count whose ξ differs from that of the nearest one by at most so
+/// much times their distance in cells (map_branches.hpp).
+int extend_layer(const TileShape<2>& shape, const TileWindow& window, int number, TileBlock& map, double largest_jump);
 
 }  // namespace mortise
